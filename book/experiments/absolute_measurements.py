@@ -37,7 +37,7 @@ from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.experiments.presets import PRESETS, Preset, lines, points
 from slamlib.geometry.pose import Pose, adjoint, exponential
 from slamlib.geometry.quaternion import left_jacobian, skew
-from slamlib.kalman.linalg import Carry
+from slamlib.kalman.linalg import Carry, left_inverse
 from slamlib.landmarks import LINES, POINTS
 from slamlib.manifolds import Array
 from slamlib.models import model
@@ -51,7 +51,6 @@ from slamlib.slam.transport import (
     directions,
     generators,
     kept,
-    left_inverse,
     told,
 )
 
@@ -100,7 +99,7 @@ def told_with_reset(by_step: Callable[[Array], Array], state: State, robot: Robo
 
         def carry() -> Carry:
             A = free.T @ by_step(steps[-1]) @ free
-            return rows, generators(state) @ A - before, L
+            return Carry(rows, generators(state) @ A - before, L)
 
         state.belief.retraction, state.belief.transport = recorded, carry
         yield

@@ -13,7 +13,6 @@ from typing import Any
 
 import joblib
 import numpy as np
-from slambook.anchors import ANCHORS
 from slambook.filters_compared import (
     ALL_DATA,
     FILTERS,
@@ -47,6 +46,7 @@ ONE_CAMERA, BY_CONTROL = "idpPnt", "idpPnt, noise in the control"
 NARROW, PRIOR = ", narrow prior", ((0.1, 0.0), (0.25, 0.25))
 # How well the second camera's pose is known at first, as shares of what the preset has; 0: exactly.
 LEARNED, SHARES = "extrinsics x ", (1.0, 0.5, 0.25, 0.0)
+ANCHORED = tuple(name for name, kind in {**POINTS, **LINES}.items() if kind.anchor)
 FIRST_FRAMES = 12  # of the first run, kept number by number
 
 
@@ -101,7 +101,7 @@ def filters(case: str) -> tuple[str, ...]:
         return (*FILTERS[:2], SECOND_ORDER)
     oracle = FILTERS[2:] if case not in WITHOUT_ORACLE else ()
     at_once = case not in LARGE and not case.endswith(NARROW)  # of the large ones chapter toolbox_tour has them
-    return (*FILTERS[:2], *oracle, *[WITH_ANCHORS] * (case in ANCHORS), *[ALL_DATA] * at_once)
+    return (*FILTERS[:2], *oracle, *[WITH_ANCHORS] * (case in ANCHORED), *[ALL_DATA] * at_once)
 
 
 def joined(case: str, rows: Sequence[dict[str, Array]], before: dict[str, Any] | None) -> dict[str, Any]:

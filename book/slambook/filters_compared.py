@@ -1,10 +1,9 @@
 """One preset by filters that differ in the error whose covariance they keep, by the oracle, and by all data at once.
 
-The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: "world", and along the
-anchors of landmarks, too; ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For
-estimated extrinsics: PRODUCTS, "world" with the noise of what a linearization leaves out; LATER, "world" with the first
-frames by the other sensors alone. SECOND_ORDER: "world" with all of the second-order term's variance. Chapter
-observability.
+The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: a third of the options';
+ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For estimated extrinsics: PRODUCTS,
+"world" with the noise of what a linearization leaves out; LATER, "world" with the first frames by the other sensors
+alone. SECOND_ORDER: "world" with all of the second-order term's variance. Chapter observability.
 """
 
 from collections.abc import Sequence
@@ -13,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from slambook.anchors import anchors_carried
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.entities import RigSensor
@@ -27,7 +25,6 @@ from slamlib.manifolds import Array
 from slamlib.records.inputs import Scan
 from slamlib.slam import Slam
 from slamlib.slam.snapshot import robot_view
-from slamlib.slam.transport import TRANSPORTS, Transport
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
 PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
@@ -78,31 +75,27 @@ def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
 
 def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array, Smoother | None]:
     """Poses as the filter has them, and the smoother that listened to it, for ALL_DATA."""
-    TRANSPORTS[WITH_ANCHORS] = Transport(anchors_carried)  # an option for this run alone
-    try:
-        second_order = "variance" if name == SECOND_ORDER else None
-        options = replace(preset.options, error=ERRORS.get(name, name), second_order=second_order)
-        preset = replace(preset, seed=seed, options=options)
-        slam = preset.slam()
-        if name == PRODUCTS:
-            slam.families["points"] = with_products(slam)
-        oracle = Oracle(slam, preset.world) if name == "oracle" else None
-        smoother = Smoother(slam) if name == ALL_DATA else None
-        true, estimates, covariances = [], [], []
-        for frame, truth in preset.simulate():
-            if oracle:
-                oracle.truth = truth
-            if name == LATER and frame.number <= ALONE:
-                pairs = zip(slam.sensors, frame.scans, strict=True)
-                frame = replace(frame, scans=tuple(Scan() if sensor.block else scan for sensor, scan in pairs))
-            slam.step(frame)
-            if smoother:
-                smoother.record(frame)
-            true.append(list(truth.poses))
-            estimates.append([robot.pose for robot in slam.robots])
-            covariances.append([robot_view(slam.belief, robot).pose_covariance for robot in slam.robots])
-    finally:
-        del TRANSPORTS[WITH_ANCHORS]
+    second_order = "variance" if name == SECOND_ORDER else None
+    options = replace(preset.options, error=ERRORS.get(name, name), second_order=second_order)
+    preset = replace(preset, seed=seed, options=options)
+    slam = preset.slam()
+    if name == PRODUCTS:
+        slam.families["points"] = with_products(slam)
+    oracle = Oracle(slam, preset.world) if name == "oracle" else None
+    smoother = Smoother(slam) if name == ALL_DATA else None
+    true, estimates, covariances = [], [], []
+    for frame, truth in preset.simulate():
+        if oracle:
+            oracle.truth = truth
+        if name == LATER and frame.number <= ALONE:
+            pairs = zip(slam.sensors, frame.scans, strict=True)
+            frame = replace(frame, scans=tuple(Scan() if sensor.block else scan for sensor, scan in pairs))
+        slam.step(frame)
+        if smoother:
+            smoother.record(frame)
+        true.append(list(truth.poses))
+        estimates.append([robot.pose for robot in slam.robots])
+        covariances.append([robot_view(slam.belief, robot).pose_covariance for robot in slam.robots])
     return np.array(true), np.array(estimates), np.array(covariances), smoother
 
 

@@ -8,7 +8,7 @@ import importlib
 import math
 import operator
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -157,19 +157,42 @@ def solve_lower(factor: Array, right: Array) -> Array:
     return fast(factor.T, right, trans=1) if right.ndim == 1 else fast(1.0, factor.T, right.T, side=1).T
 
 
-Carry = tuple[Indices, Array, Array]  # rows (k,) of a covariance, C (n, r) and L (r, k)
+def left_inverse(N: Array) -> Array:
+    """L (..., r, n) with L N = I, for N (..., n, r) of rank r: the inverse where it has as many rows."""
+    invert = np.linalg.inv if N.shape[-2] == N.shape[-1] else np.linalg.pinv
+    return np.asarray(invert(N), dtype=float)
+
+
+Following = tuple[Indices, Indices, Array]  # rows (k, a), rows (k, b), F (k, b, a)
+
+
+class Carry(NamedTuple):
+    """A change of the coordinates of errors, T = (I + C L E) (I + D); E picks `rows`, which D leaves as they are.
+
+    rows (k,) of the covariance, C (n, r), L (r, k). following: in D, some rows follow others near them: to the errors
+    of rows (k, b) it adds F times those of rows (k, a), which it leaves as they are.
+    """
+
+    rows: Indices
+    C: Array
+    L: Array
+    following: Sequence[Following] = ()
 
 
 def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> None:
     """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
 
-    carry: (indices (k,), C, L); the result P then becomes T P T', T = I + C L E, where E picks these indices.
+    carry: the result P then becomes T P T'.
 
     NumPy computes W'W as a symmetric product. BLAS can update one triangle in place, which is then mirrored; but only
     a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
     """
     if carry:
-        at, C, L = carry
+        at, C, L, following = carry
+        if following:
+            rows = rows.copy()
+            for each in following:
+                _follow(matrix, rows, *each)
         half = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
         half += (half.take(at, axis=1) @ L.T / 2) @ C.T  # T P T' = P + C half + half' C'
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
@@ -184,6 +207,20 @@ def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> N
         if carry:
             change = C @ half
             matrix += change + change.T
+
+
+def _follow(matrix: Array, rows: Array, sources: Indices, targets: Indices, F: Array) -> None:
+    """matrix becomes (I + D) matrix (I + D)', and rows (d, n) become rows (I + D)', in place; D as of Carry."""
+    by, to = F.swapaxes(1, 2), targets.ravel()
+    change = rows.take(sources, axis=1).swapaxes(0, 1) @ by  # (k, d, b)
+    rows[:, to] += change.swapaxes(0, 1).reshape(len(rows), -1)
+    own = matrix.take(targets, axis=0) + F @ matrix.take(sources, axis=0)  # (k, b, n)
+    own = own.reshape(len(to), -1)
+    corner = (own.take(sources, axis=1).swapaxes(0, 1) @ by).swapaxes(0, 1).reshape(len(to), -1)
+    corner += own.take(to, axis=1)
+    own[:, to] = (corner + corner.T) / 2
+    matrix[to] = own
+    matrix[:, to] = own.T
 
 
 _WIDTH = 64  # of the blocks in which a matrix is mirrored: they fit the cache

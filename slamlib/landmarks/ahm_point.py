@@ -31,4 +31,6 @@ def to_point(landmark):
     return landmark[:3] + landmark[3:6] / landmark[6]
 
 
-AHM_POINT = PointLandmark("ahmPnt", as_manifold(7), to_frame, from_frame, to_point, Parts(into_world, vector, number))
+AHM_POINT = PointLandmark(
+    "ahmPnt", as_manifold(7), to_frame, from_frame, to_point, Parts(into_world, vector, number), anchor=3
+)

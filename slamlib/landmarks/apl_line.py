@@ -41,4 +41,4 @@ def constrain(landmark, eye):
 
 
 MOVED = Parts(into_world, vector, vector)
-APL_LINE = LineLandmark("aplLin", as_manifold(9), to_frame, from_frame, point_at, (-8, 8), constrain, MOVED)
+APL_LINE = LineLandmark("aplLin", as_manifold(9), to_frame, from_frame, point_at, (-8, 8), constrain, MOVED, anchor=3)

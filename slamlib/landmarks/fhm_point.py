@@ -37,4 +37,4 @@ def to_point(landmark):
 
 
 MOVED = Parts(compose, number, number, number)
-FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point, MOVED)
+FHM_POINT = PointLandmark("fhmPnt", FramedPoint, to_frame, from_frame, to_point, MOVED, anchor=6)

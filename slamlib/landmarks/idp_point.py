@@ -54,4 +54,4 @@ def angles_moved(motion, angles):
 
 
 MOVED = Parts(into_world, angles_moved, number)
-IDP_POINT = PointLandmark("idpPnt", as_manifold(6), to_frame, from_frame, to_point, MOVED)
+IDP_POINT = PointLandmark("idpPnt", as_manifold(6), to_frame, from_frame, to_point, MOVED, anchor=3)

@@ -30,6 +30,7 @@ class PointLandmark(TypeDescription):
     |h| = 1, so that w is the inverse distance [1/m]. to_point(landmark): Euclidean point (3,) in the world [m].
     moved(motion, landmark): the landmark after a rigid motion (7,) of the world; a consistent filter needs it.
     plane: it holds points of the floor alone, z = 0 in the world, for sensors that measure in the plane.
+    anchor: how many of the first degrees of freedom say where its ray begins, which is a convention; 0: none.
     """
 
     name: str
@@ -39,6 +40,7 @@ class PointLandmark(TypeDescription):
     to_point: Model
     moved: Moved | None = None
     plane: bool = False
+    anchor: int = 0
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class LineLandmark(TypeDescription):
     landmark seen along two unit rays (6,) of that frame, its endpoints', with the prior (2,) of two unmeasured
     numbers. point_at(landmark, abscissa): homogeneous point (4,) in the world. abscissas: of the two endpoints.
     constrain(landmark, eye), for states with redundant numbers: enforces the line constraint with the image from
-    `eye` (3,) unchanged; the filter calls it after each update. moved: as of points.
+    `eye` (3,) unchanged; the filter calls it after each update. moved, anchor: as of points.
     """
 
     name: str
@@ -60,3 +62,4 @@ class LineLandmark(TypeDescription):
     abscissas: tuple[float, float]
     constrain: Model | None = None
     moved: Moved | None = None
+    anchor: int = 0

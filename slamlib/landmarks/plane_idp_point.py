@@ -37,4 +37,6 @@ def to_point(landmark):
 
 
 MOVED = Parts(plane_pose, number)  # anchor and azimuth are a pose in the plane
-PLANE_IDP_POINT = PointLandmark("planeIdpPnt", AnchoredInPlane, to_frame, from_frame, to_point, MOVED, plane=True)
+PLANE_IDP_POINT = PointLandmark(
+    "planeIdpPnt", AnchoredInPlane, to_frame, from_frame, to_point, MOVED, plane=True, anchor=2
+)

@@ -28,8 +28,9 @@ class Options(UpkeepOptions, UpdateOptions, LineOptions, PointOptions):
     pruning: how the map stays within the capacity: None refuses new landmarks; "least-recently-seen" prunes the one
         not seen for longest; "least-reliable" the one with the smallest share of searches that gave an inlier.
     error: whose covariance the filter keeps: "local", the error of each block by itself, as in every EKF; "world", the
-        right-invariant error; "first-estimates", as "local", with all Jacobians of a block at one point. The last two
-        gain no information that no measurement has.
+        right-invariant error; "anchors", as "world", with the anchors of landmarks, which stand by convention; or
+        "first-estimates", as "local", with all Jacobians of a block at one point. But for "local" they gain no
+        information on the motion of the world, which no measurement has.
     window: a landmark that was not seen for more frames than this is deleted; None: no such limit.
     updates: most landmarks by which one sensor updates the map in one frame (correct.nUpdates).
     selection: "information": those whose innovation covariance has the largest determinant; "order": the oldest.

@@ -12,13 +12,13 @@ from functools import partial
 
 import numpy as np
 
-from slamlib.belief import Belief
 from slamlib.entities import RigSensor, Robot, State
 from slamlib.entities.unobservable import Movable, check_moved, generator
 from slamlib.geometry.pose import ORIGIN, compose, exponential
-from slamlib.kalman.linalg import Carry
+from slamlib.kalman.linalg import Carry, left_inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
+from slamlib.slam.anchors import AnchoredRows, anchored_rows
 from slamlib.slam.measurement_update import Projection, unprojected
 
 
@@ -60,40 +60,53 @@ def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
     return N
 
 
-def left_inverse(N: Array) -> Array:
-    """L (r, n) with L N = I, for N (n, r) of rank r: the inverse where it has as many rows."""
-    invert = np.linalg.inv if N.shape[0] == N.shape[1] else np.linalg.pinv
-    return np.asarray(invert(N), dtype=float)
-
-
 def unobservable(state: State, sensor: RigSensor) -> Array:
     """What this sensor's measurements cannot tell (size, f); more columns where its extrinsics are estimated."""
     N, extrinsics = generators(state), sensor.block
     return N if extrinsics is None else np.concatenate([N, trade(len(N), sensor, extrinsics)], axis=1)
 
 
+Anchored = Callable[[State], list[AnchoredRows]]  # the landmarks whose anchors the covariance follows, too
+
+
+def no_anchors(state: State) -> list[AnchoredRows]:
+    """The covariance follows the world alone."""
+    return []
+
+
 @contextmanager
-def carried(state: State, sensor: RigSensor) -> Iterator[Projection]:
+def carried(state: State, sensor: RigSensor, anchored: Anchored = no_anchors) -> Iterator[Projection]:
     """Within the block one update moves the means, and the covariance follows them: T P T', T N(before) = N(after).
 
     T = I + (N(after) - N(before)) L, where L reads the motion of the world from the errors of the sensor's robot and
     extrinsics. Until then a Jacobian H at other means becomes H T = H (I - N(before) L), as H N(after) = 0.
+
+    anchored: N has columns of these landmarks' anchors, too, S = (I, F) of each. L reads their shift off their own
+    rows, less what the world's motion makes of them, N_a: so S adds (F(after) - F(before)) (I - N_a L) to the rest of
+    the landmark, and H (I - N L) loses H S (I - N_a L) as well, of the landmark that H measures.
     """
     rows = sensor.columns
     before = unobservable(state, sensor)
-    motion = left_inverse(before[rows])
+    motion, own = left_inverse(before[rows]), anchored(state)
+    anchors = {int(anchor[0]): F for each in own for anchor, F in zip(each.anchors, each.F, strict=True)}
 
     def project(columns: Indices, H: Array) -> Array:
-        H = H.copy()
-        H[:, : len(rows)] -= H @ before[columns] @ motion
+        H, first, by_world = H.copy(), len(rows), H @ before[columns]
+        F = anchors.get(int(columns[first]))
+        if F is not None:
+            end = first + F.shape[1]
+            by_shift = H[:, first:end] + H[:, end:] @ F
+            H[:, first:end] -= by_shift
+            by_world -= by_shift @ before[columns[first:end]]
+        H[:, :first] -= by_world @ motion
         return H
 
-    with _followed(state.belief, partial(unobservable, state, sensor), before, rows, motion):
+    with _followed(state, partial(unobservable, state, sensor), before, rows, motion, anchored, own):
         yield project
 
 
 @contextmanager
-def told(state: State, robot: Robot) -> Iterator[None]:
+def told(state: State, robot: Robot, anchored: Anchored = no_anchors) -> Iterator[None]:
     """As `carried`, for one update by anything but a sensor's landmarks: GPS, a compass, a meeting, a known beacon.
 
     Such a measurement may tell where the world lies (H N is not 0). So its step holds a motion m = L step of the world,
@@ -115,25 +128,41 @@ def told(state: State, robot: Robot) -> Iterator[None]:
         ]
 
     belief = state.belief
-    own, belief.retraction = belief.retraction, retract
+    usual, belief.retraction = belief.retraction, retract
     try:
-        with _followed(belief, partial(generators, state), N, rows, L):
+        with _followed(state, partial(generators, state), N, rows, L, anchored, anchored(state)):
             yield
     finally:
-        belief.retraction = own
+        belief.retraction = usual
 
 
 @contextmanager
 def _followed(
-    belief: Belief, unobservable_now: Callable[[], Array], before: Array, rows: Indices, motion: Array
+    state: State,
+    unobservable_now: Callable[[], Array],
+    before: Array,
+    rows: Indices,
+    motion: Array,
+    anchored: Anchored,
+    own: list[AnchoredRows],
 ) -> Iterator[None]:
-    """Within the block an update of the covariance ends with T P T', T = I + (N(after) - N(before)) L."""
+    """Within the block an update of the covariance ends with T P T', T = (I + C L) (I + D).
+
+    C = N(after) - N(before) - D N(before), and D, of the anchored landmarks, own before and the same after, takes
+    each anchor's shift to the rest of its landmark: so T N(before) = N(after), and T S(before) = S(after).
+    """
+    belief = state.belief
 
     def carry() -> Carry | None:
         change = unobservable_now() - before
+        following = [now.following(then) for now, then in zip(anchored(state), own, strict=True)]
+        for at, rest, F in following:
+            change[rest] -= F @ before[at]
         # A translation of the world adds the same to a point or a pose anywhere: such columns do not change.
         moved = np.ones(len(change)) @ np.abs(change) > 0  # quicker than change.any(axis=0)
-        return (rows, change[:, moved], np.asarray(motion[moved], float)) if moved.any() else None
+        if not moved.any() and not following:
+            return None
+        return Carry(rows, change[:, moved], np.asarray(motion[moved], float), following)
 
     belief.transport = carry
     try:
@@ -169,4 +198,5 @@ TRANSPORTS = {
     "local": Transport(),
     "first-estimates": Transport(),
     "world": Transport(carried, told),
+    "anchors": Transport(partial(carried, anchored=anchored_rows), partial(told, anchored=anchored_rows)),
 }

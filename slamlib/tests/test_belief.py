@@ -251,7 +251,7 @@ def test_a_transport_carries_the_updated_covariance(rng, monkeypatch, n):
         for sequential in (False, True):
             belief = Belief()
             belief.add(n, np.zeros(n), P)
-            belief.transport = lambda: (at, C, L)
+            belief.transport = lambda: linalg.Carry(at, C, L)
             if sequential:
                 with belief.sequential_update() as sequence:
                     sequence.update(np.arange(n), H, np.zeros(2), R)

@@ -16,8 +16,8 @@ from slamlib.experiments.monte_carlo import monte_carlo
 from slamlib.experiments.presets import five_minutes, points
 from slamlib.geometry import pose2
 from slamlib.geometry.pose import Pose, compose, exponential, inverse, logarithm
+from slamlib.kalman.linalg import left_inverse
 from slamlib.motions import MOTIONS, ODOMETRY
-from slamlib.slam.transport import left_inverse
 
 
 @pytest.fixture

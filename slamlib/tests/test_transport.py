@@ -14,6 +14,7 @@ from slamlib.evaluation.consistency import band
 from slamlib.experiments.monte_carlo import monte_carlo
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import Pose
+from slamlib.kalman.linalg import Carry
 from slamlib.landmarks import LINES, POINTS
 from slamlib.motions import MOTIONS
 from slamlib.records.inputs import Control
@@ -147,7 +148,7 @@ def test_coordinates_of_the_error_change_as_their_matrix_says(n):
     belief.add(n, np.zeros(n), A @ A.T)
     before, rows, C = belief.matrix.copy(), np.array([4, 5, 9]), rng.standard_normal((n, 2))
     L = rng.standard_normal((2, 3))
-    belief.transport = lambda: (rows, C, L)
+    belief.transport = lambda: Carry(rows, C, L)
     H = rng.standard_normal((2, n))
     belief.update(list(belief.blocks), [H], np.zeros(2), np.eye(2))
     K = np.linalg.solve(H @ before @ H.T + np.eye(2), H @ before).T
