@@ -15,10 +15,11 @@ from slamlib.entities import Landmark
 from slamlib.entities.state import kinds_of
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, Pose, compose, inverse
+from slamlib.kalman.linalg import left_inverse
 from slamlib.manifolds import Array, Image
 from slamlib.slam.filter import Slam
 from slamlib.slam.prediction import predict_measurements
-from slamlib.slam.transport import generators, left_inverse
+from slamlib.slam.transport import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
 
