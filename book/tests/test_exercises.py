@@ -11,6 +11,7 @@ import pytest
 from slambook.exercises import Rejected, check, exercise, kit, load_all
 
 from book.tests.wrong_solutions import load
+from book.tests.wrong_solutions import observability as wrong
 from book.tools import layout
 from slamlib.errors import SlamlibError, UnknownNameError
 
@@ -124,6 +125,14 @@ def in_place(x):
 def test_what_is_wrong_is_reported(doubling, candidate, message):
     with pytest.raises(Rejected, match=message):
         check(doubling, candidate)
+
+
+def test_a_landmark_is_shown_by_the_numbers_that_it_has():
+    """Not by the cosine and the sine of an angle, in which two angles are the same after a whole turn."""
+    with pytest.raises(Rejected, match="a new landmark moves with its robot") as found:
+        check("observability.1", wrong.anchor_stays)
+    shown = re.search(r"found \[(.*)\], the property asks for \[(.*)\]", str(found.value))
+    assert [len(numbers.split()) for numbers in shown.groups()] == [4, 4]
 
 
 def test_a_small_negative_number_is_shown_as_more_than_a_sign():

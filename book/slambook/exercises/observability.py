@@ -17,14 +17,16 @@ def moved(candidate: Candidate, rng: Rng) -> None:
         after = array_of(candidate(motion, landmark), (4,), "the moved landmark")
         same(candidate(np.zeros(3), landmark), landmark, "where nothing moves, nothing changes")
         what = "range and bearing are the same from a robot that moves along"
-        same(_measured(np.append(_carried(motion, robot), after)), _measured(np.append(robot, landmark)), what)
+        seen = _measured(np.append(robot, landmark))
+        same(_nearest(_measured(np.append(_carried(motion, robot), after)), seen, 1), seen, what)
         there, new = _carried(motion, robot), np.append(robot, landmark[3])
-        wanted = _turns(np.append(there, landmark[3]))
-        same(_turns(candidate(motion, new)), wanted, "a new landmark moves with its robot")
+        found = array_of(candidate(motion, new), (4,), "the moved landmark")
+        wanted = np.append(there, landmark[3])
+        same(_nearest(found, wanted, 2), wanted, "a new landmark moves with its robot")
         movers = partial(_carried, robot=robot), lambda m, x=landmark: candidate(m, x)
         both = [differences(mover, np.zeros(3)) for mover in movers]
-        seen = differences(_measured, np.append(robot, landmark)) @ np.concatenate(both)
-        holds(np.abs(seen).max() < 1e-5, "H N = 0", f"a measurement changes by {np.abs(seen).max():.3g}")
+        change = differences(_measured, np.append(robot, landmark)) @ np.concatenate(both)
+        holds(np.abs(change).max() < 1e-5, "H N = 0", f"a measurement changes by {np.abs(change).max():.3g}")
 
 
 def _carried(motion: Array, robot: Array) -> Array:
@@ -33,16 +35,17 @@ def _carried(motion: Array, robot: Array) -> Array:
     return np.append(motion[:2] + np.array([[c, -s], [s, c]]) @ robot[:2], motion[2] + robot[2])
 
 
-def _turns(landmark: Array) -> Array:
-    """The landmark with its angle as cosine and sine, which have no jump."""
-    return np.array([*landmark[:2], np.cos(landmark[2]), np.sin(landmark[2]), landmark[3]])
+def _nearest(found: Array, wanted: Array, angle: int) -> Array:
+    """What was found, its angle [rad] with so many whole turns that it lies next to the wanted one."""
+    turns = np.round((wanted - found)[angle] / (2 * np.pi))
+    return found + 2 * np.pi * turns * (np.arange(len(found)) == angle)
 
 
 def _measured(x: Array) -> Array:
-    """Range, and cosine and sine of the bearing, of robot (3,) and landmark (anchor, angle, distance)."""
+    """Range and bearing of robot (3,) and landmark (anchor, angle, distance)."""
     d = x[3:5] + x[6] * np.array([np.cos(x[5]), np.sin(x[5])]) - x[:2]
-    bearing = np.arctan2(d[1], d[0]) - x[2]
-    return np.array([np.hypot(*d), np.cos(bearing), np.sin(bearing)])
+    c, s = np.cos(x[2]), np.sin(x[2])
+    return np.array([np.hypot(*d), np.arctan2(c * d[1] - s * d[0], c * d[0] + s * d[1])])
 
 
 @exercise("observability.2", "the rank of what a filter believes to see", seed=172)
