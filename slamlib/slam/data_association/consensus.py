@@ -56,7 +56,7 @@ def joint_compatibility(belief: Belief, sensor: RigSensor, predictions: Predicti
 
 
 def _fit_the_noise(sensor: RigSensor, predictions: Predictions, options: UpdateOptions) -> bool:
-    """Whether each and all pass by the noise alone: S = H P H' + R is no less than R, so z' S^-1 z <= z' R^-1 z.
+    """Whether each and all pass by the noise alone: z' S^-1 z <= z' R^-1 z, as S is R and more. Eq. (da-noise).
 
     Then, as in most frames, no joint covariance is needed.
     """
