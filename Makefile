@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees predictions rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees predictions rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -92,6 +92,9 @@ monocular: environment  ## run the longer films of chapter monocular in the rend
 
 starts: environment  ## run the starts of one camera, and the kidnapped ones, on rendered films; store their figures (long)
 	@$(BIN)/python -m book.experiments.starts
+
+conversion: environment  ## run presets, films and recordings with points converted to Euclidean ones, and not (long; resumable)
+	@$(BIN)/python -m book.experiments.conversion
 
 measurement-errors: environment  ## find what errors of a measurement are made of, on rendered films; store figures (long; resumable)
 	@$(BIN)/python -m book.experiments.measurement_errors

@@ -26,6 +26,9 @@ AGAIN = {
         "book/tests/test_stored_consistency.py::test_the_first_numbers_come_out_again",
         "book/tests/test_stored_consistency.py::test_a_whole_run_comes_out_again",
     ],
+    f"{DATA}/conversion.json": [
+        "book/tests/test_stored_conversion.py::test_the_beginning_of_the_runs_comes_out_again",
+    ],
     f"{DATA}/error_coordinates.json": [
         "book/tests/test_stored_error_coordinates.py::test_the_first_runs_come_out_again",
         "book/tests/test_stored_error_coordinates.py::test_the_first_drives_come_out_again",
