@@ -13,12 +13,14 @@ import argparse
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from slambook.stereo_films import KITTI, kitti, stereo_film
+from slambook import kitti_street
+from slambook.stereo_films import stereo_film
 
 from benchmarks.stereo_filter import Case, speed
 from benchmarks.stereo_filter import room as filter_in_room
 from book.experiments.stereo_room import STD
 from book.experiments.visual_odometry import VARIANTS, odometry
+from slamlib.errors import SlamlibError
 from slamlib.manifolds import Array
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam import Options
@@ -41,10 +43,11 @@ def table(calibration: Calibration, extrinsics: Array, images: list[Array], pose
 
 def street() -> Iterator[str]:
     """Plain visual odometry on KITTI's street."""
-    if not KITTI.is_dir():
-        yield "KITTI's street is not at hand: skipped"
+    try:
+        calibration, images, truth = kitti_street.pairs()
+    except SlamlibError as error:
+        yield f"skipped: {error}"
         return
-    calibration, images, truth = kitti()
     yield from table(calibration, np.array([0.0, 0, 0, 1, 0, 0, 0]), images, truth.poses)
 
 

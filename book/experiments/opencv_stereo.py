@@ -245,7 +245,7 @@ def _line(errors: dict[str, Any], spent: float) -> str:
 def at_hand(names: Iterable[str] = stereo_sequences.SEQUENCES) -> dict[str, Any]:
     """The figures of the named sequences, of those at hand."""
     known = {name: stereo_sequences.SEQUENCES[name] for name in names}
-    return {name: figures(Sequence(*opened())) for name, (folder, opened) in known.items() if folder.is_dir()}
+    return {name: figures(Sequence(*opened())) for name, (there, opened) in known.items() if there()}
 
 
 def main() -> None:

@@ -12,13 +12,14 @@ speeds relative to the default's, in the same run.
 import argparse
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from slambook.stereo_films import DATA, EUROC_CAMERAS, KITTI
+from slambook import kitti_street
+from slambook.stereo_films import DATA, EUROC_CAMERAS
 
 from book.experiments import street
 from slamlib.datasets.dataset import ImageSource
@@ -52,14 +53,17 @@ def waved() -> Sequence:
     return replace(of_pictures(pairs, source.interval), original=source.original), camera, begun
 
 
-SEQUENCES = {"waved": (EUROC, waved), "street": (KITTI, street.street)}
+SEQUENCES: dict[str, tuple[Callable[[], object], Callable[[], Sequence]]] = {  # whether it is at hand, what opens it
+    "waved": (EUROC.is_dir, waved),
+    "street": (kitti_street.found, street.street),
+}
 
 
 def figures() -> dict[str, dict[str, dict[str, float]]]:
     """By sequence and source of the motion; of the sequences at hand."""
     found: dict[str, dict[str, dict[str, float]]] = {}
-    for name, (folder, opened) in SEQUENCES.items():
-        if folder.is_dir():
+    for name, (at_hand, opened) in SEQUENCES.items():
+        if at_hand():
             sequence = opened()
             found[name] = {motion: judged(sequence, motion) for motion in PAIR_MOTION_SOURCES}
     return found
@@ -111,7 +115,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--numbers", choices=SEQUENCES, help="numbers of features, on this sequence")
     given = parser.parse_args()
-    if not any(folder.is_dir() for folder, _ in SEQUENCES.values()):
+    if not any(at_hand() for at_hand, _ in SEQUENCES.values()):
         print("set SLAMLIB_DATA")
         return
     for line in by_number(given.numbers) if given.numbers else table(figures()):

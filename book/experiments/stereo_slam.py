@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from slambook import kitti_street
 from slambook.report.findings import RUNS, SEED, ran
 from slambook.report.runs import Outcome, monte_carlo
 from slambook.report.scenes import SCENES, Scene
 from slambook.report.switches import SWITCHES, Switch
-from slambook.stereo_films import KITTI
 
 from book.experiments import opencv_stereo, stereo_room, stereo_sequences, stored
 from book.experiments import street as kitti
@@ -72,7 +72,7 @@ def tuning() -> list[dict[str, Any]]:
 
 def street() -> dict[str, Any] | None:
     """KITTI's street, without times; None where it is not at hand: its licence forbids shipping it."""
-    if not KITTI.is_dir():
+    if kitti_street.found() is None:
         return None
     return stored.plain(_without_times(kitti.figures()))
 

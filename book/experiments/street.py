@@ -1,9 +1,10 @@
 """EKF-SLAM on KITTI's street against visual odometry alone, in the same run, by KITTI's measure.
 
-The street is an excerpt of 51 rectified pairs, almost straight, 59.9 m, where it is at hand (it is not shipped: its
-licence is for non-commercial use). Errors are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent
-of the part's length, and of the rotation, in degrees a metre. ATE: root mean square of the distances [m] after a rigid
-motion, whose rotation is that of the orientations: then it is theirs that ATE shows, too.
+The street is frames 0 to 50 of sequence 06 of KITTI's odometry benchmark, 51 rectified pairs, almost straight, 59.9 m.
+It is not shipped, as its licence is for non-commercial use: slambook.kitti_street finds it below SLAMLIB_DATA. Errors
+are means over all parts of 5, 10, ..., 40 m: of the translation, in per cent of the part's length, and of the rotation,
+in degrees a metre. ATE: root mean square of the distances [m] after a rigid motion, whose rotation is that of the
+orientations: then it is theirs that ATE shows, too.
 
 1. The calibration. A disparity that is wrong by a constant makes all steps too long or too short. Without the truth,
    the pictures show it by how well matches agree with their motion: z' S^-1 z by its degrees of freedom, and how many
@@ -19,20 +20,22 @@ motion, whose rotation is that of the orientations: then it is theirs that ATE s
 
 import argparse
 import json
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from slambook import kitti_street
 from slambook.smoothing import Smoother
-from slambook.stereo_films import KITTI
 
 from slamlib.datasets.dataset import ImageSource
 from slamlib.datasets.sources import of_pictures
+from slamlib.errors import SlamlibError
 from slamlib.evaluation.alignment import align_trajectory
 from slamlib.evaluation.comparison import compared, parts
-from slamlib.evaluation.trajectory import Trajectory, read_trajectory
+from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import exponential, logarithm
@@ -69,12 +72,13 @@ AT_ONCE = "split-features"  # the way whose measurements are taken all at once, 
 
 
 def street() -> tuple[ImageSource, dict[str, Any], Trajectory]:
-    """The pairs, in memory, their camera, and the true path."""
-    left, right, calibration, poses = (str(KITTI / n) for n in ("image_l", "image_r", "calib.txt", "poses.txt"))
-    source, camera, _ = open_stereo(left=left, right=right, calibration=[calibration], fps=10)
-    pairs = list(progress(source, len(source), "reading"))
-    truth = read_trajectory(poses, times=np.array(source.times))
-    return of_pictures(pairs, source.interval), camera, truth
+    """The pairs, in memory, their camera, and the true path. Raises SlamlibError where they are not at hand."""
+    files = kitti_street.needed()
+    left, right, calibration = (str(file) for file in (files.left, files.right, files.calibration))
+    source, camera, _ = open_stereo(left=left, right=right, calibration=[calibration], fps=kitti_street.FPS)
+    part = source.part(count=kitti_street.PAIRS)
+    pairs = list(progress(part, len(part), "reading"))
+    return of_pictures(pairs, source.interval), camera, kitti_street.truth(files)
 
 
 def errors(path: Trajectory, truth: Trajectory) -> dict[str, float]:
@@ -230,19 +234,21 @@ def tables(found: dict[str, Any]) -> Iterator[str]:
         yield f"{name:18}" + "".join(f"{m:10.1f}" for m in medians)
 
 
-def main() -> None:
-    """Print the tables."""
+def main() -> int:
+    """Print the tables, or say what is wanted; returns the exit status."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--offset", type=float, default=CHOSEN, help=f"of the disparities [px] (default {CHOSEN})")
     parser.add_argument("--only", choices=MOTION_SOURCES, action="append", help="these ways alone")
     parser.add_argument("--json", action="store_true", help="print plain data")
     given = parser.parse_args()
-    if not KITTI.is_dir():
-        print("KITTI's street (stereo_kitti_a) is not at hand: skipped")
-        return
-    found = figures(given.offset, given.only)
+    try:
+        found = figures(given.offset, given.only)
+    except SlamlibError as error:
+        print(f"street: {error}", file=sys.stderr)
+        return 2
     print(json.dumps(found, indent=2) if given.json else "\n".join(tables(found)))
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

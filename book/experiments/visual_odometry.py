@@ -11,8 +11,8 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slambook import stereo_films
-from slambook.stereo_films import KITTI, Tracks, kitti, stereo_film
+from slambook import kitti_street, stereo_films
+from slambook.stereo_films import Tracks, stereo_film
 
 from book.experiments import stored
 from book.tools import layout
@@ -122,11 +122,12 @@ def room() -> dict[str, Any]:
 
 def street() -> dict[str, Any] | None:
     """All variants on the street, and KITTI's measure of the first; None where it is not at hand."""
-    if not KITTI.is_dir():
+    if kitti_street.found() is None:
         return None
-    calibration, images, truth = kitti()
+    calibration, images, truth = kitti_street.pairs()
     origin = np.array([0.0, 0, 0, 1, 0, 0, 0])
     return {
+        "std": kitti_street.STD,
         "rows": {n: variant(calibration, origin, images, truth.poses, s) for n, s in VARIANTS.items()},
         "lengths": list(LENGTHS),
         "as told": measured(calibration, images, truth, 0.0),

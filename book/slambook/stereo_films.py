@@ -1,4 +1,4 @@
-"""Films of two cameras, for the tests, benchmarks and longer runs of stereo: rendered, and of a real street; tracks."""
+"""Films of two cameras, for the tests, benchmarks and longer runs of stereo: rendered; odometry alone; tracks."""
 
 import os
 from collections.abc import Iterable, Iterator
@@ -9,18 +9,12 @@ import numpy as np
 
 from slambook import rendering
 from slambook.rendering import stereo_frame, stereo_rig
-from slamlib.datasets.pictures import read_image
-from slamlib.errors import SlamlibError
-from slamlib.evaluation.trajectory import Trajectory, read_trajectory
 from slamlib.geometry.pose import compose
 from slamlib.manifolds import Array, Indices
-from slamlib.sensors.sensor import Calibration
-from slamlib.sensors.stereo import STEREO
-from slamlib.vision.stereo import RelativeMotion, VisualOdometry, pair
+from slamlib.vision.stereo import RelativeMotion, VisualOdometry
 
 LENS = {"intrinsics": (159.5, 119.5, 260.0, 260.0), "distortion": (0.0,)}
 DATA = Path(os.environ.get("SLAMLIB_DATA", ""))
-KITTI = DATA / "stereo_kitti_a"
 _EUROC = """%YAML:1.0
 sensor_type: camera
 T_BS:
@@ -61,19 +55,6 @@ def stereo_film(
     made = rendering.film(room, rig, way, frames=frames, rng=np.random.default_rng(seed))
     pairs = [(stereo_frame(frame), truth) for frame, truth in made]
     return stereo_rig(rig, std if np.ndim(std) else (std,) * 3), pairs, made
-
-
-def kitti(count: int = 51) -> tuple[Calibration, list[Array], Trajectory]:
-    """Calibration, pairs and true trajectory of a KITTI excerpt; raises SlamlibError where it is not at hand."""
-    if not KITTI.is_dir():
-        raise SlamlibError(f"{KITTI} is not at hand: set SLAMLIB_DATA to the folder that holds {KITTI.name}")
-    lens = np.loadtxt(KITTI / "calib.txt")
-    f, u, v, b = lens[0, 0], lens[0, 2], lens[0, 6], -lens[1, 3] / lens[1, 0]
-    made = Calibration(STEREO, 0.2**2 * np.eye(3), image=(1226, 370), intrinsics=[u, v, f, f], baseline=[b])
-    names = [f"{i:06d}.png" for i in range(count)]
-    pairs = [pair(read_image(KITTI / "image_l" / n), read_image(KITTI / "image_r" / n)) for n in names]
-    truth = read_trajectory(KITTI / "poses.txt", times=0.1 * np.arange(51.0))
-    return made, pairs, truth[np.arange(count)]
 
 
 def odometry(

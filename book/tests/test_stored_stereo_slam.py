@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from slambook import kitti_street
 from slambook.report.findings import ran
 from slambook.smoothing import Smoother
 
@@ -77,7 +78,7 @@ def test_stored_claim_on_the_street_all_data_at_once_are_as_good_as_the_filter(s
         assert best["rotation"] == pytest.approx(own["rotation"], rel=0.02)
 
 
-@pytest.mark.skipif(not street.KITTI.is_dir(), reason="KITTI's street is not at hand")
+@pytest.mark.skipif(kitti_street.found() is None, reason="KITTI's street is not at hand")
 def test_the_streets_row_of_all_data_at_once_comes_out_again(stored):
     source, camera, truth = street.street()
     run = dict(street.runs(source, camera, 0.0, [street.AT_ONCE]))[street.AT_ONCE]

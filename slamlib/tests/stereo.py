@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from slambook import stereo_films
-from slambook.stereo_films import KITTI, LENS
+from slambook import kitti_street
+from slambook.stereo_films import LENS
 
 from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.landmarks.euc_point import EUC_POINT
@@ -33,7 +33,7 @@ def seen_from(points, robot, extrinsics=ORIGIN):
 
 
 def kitti(count=51):
-    """As slambook.stereo_films.kitti; skips where the excerpt is not at hand."""
-    if not KITTI.is_dir():
-        pytest.skip("the KITTI excerpt stereo_kitti_a is not at hand")
-    return stereo_films.kitti(count)
+    """As slambook.kitti_street.pairs; skips where the street is not at hand."""
+    if kitti_street.found() is None:
+        pytest.skip("KITTI's street is not at hand")
+    return kitti_street.pairs(count)

@@ -6,8 +6,7 @@ import shutil
 
 import numpy as np
 import pytest
-from slambook import rendering
-from slambook.stereo_films import KITTI
+from slambook import kitti_street, rendering
 
 from slamlib.cli import main, runner
 from slamlib.datasets.times import table
@@ -405,10 +404,11 @@ def test_help_has_examples_and_other_files_are_refused(room, capsys):
 
 
 def test_the_street(capsys):
-    if not KITTI.is_dir():
-        pytest.skip("the KITTI excerpt stereo_kitti_a is not at hand")
-    sides = ["--left", str(KITTI / "image_l"), "--right", str(KITTI / "image_r")]
-    there = [*sides, "--calibration", str(KITTI / "calib.txt"), "--fps", "10", "--reference", str(KITTI / "poses.txt")]
+    street = kitti_street.found()
+    if street is None:
+        pytest.skip("KITTI's street is not at hand")
+    sides = ["--left", str(street.left), "--right", str(street.right)]
+    there = [*sides, "--calibration", str(street.calibration), "--fps", "10", "--reference", str(street.poses)]
     assert main(["run", "stereo-images", *there, "--frames", "12", "--json"]) == 0
     s = found(capsys)
     assert s["frames_without_match"] == 0
