@@ -182,7 +182,9 @@ class Carry(NamedTuple):
 def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> None:
     """matrix -= rows.T @ rows in place; a symmetric matrix stays exactly symmetric.
 
-    carry: the result P then becomes T P T'.
+    carry: the result P then becomes T P T' = P + C h + h' C'. These two have as many positive eigenvalues as negative
+    ones, so that no product of one sign adds them together with -W'W: they are a pass of their own over the triangle,
+    and 2 r / m of the flops of W'W.
 
     NumPy computes W'W as a symmetric product. BLAS can update one triangle in place, which is then mirrored; but only
     a contiguous matrix: of a view into a larger array its wrapper silently updates a copy.
@@ -193,19 +195,19 @@ def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> N
             rows = rows.copy()
             for each in following:
                 _follow(matrix, rows, *each)
-        half = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
-        half += (half.take(at, axis=1) @ L.T / 2) @ C.T  # T P T' = P + C half + half' C'
+        h = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
+        h += (h.take(at, axis=1) @ L.T / 2) @ C.T
     large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
     fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:
         fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)
         if carry and twice:
-            twice(1.0, C, half.T, 1.0, matrix.T, overwrite_c=1)
+            twice(1.0, C, h.T, 1.0, matrix.T, overwrite_c=1)
         _mirror(matrix)
     else:
         matrix -= rows.T @ rows
         if carry:
-            change = C @ half
+            change = C @ h
             matrix += change + change.T
 
 
