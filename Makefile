@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees predictions rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees predictions many-maps rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -128,6 +128,9 @@ error-coordinates: environment  ## run the right-invariant EKF beside other filt
 
 predictions: environment  ## run what chapter many says of predictions by reported steps, and store its figures (resumable)
 	@$(BIN)/python -m book.experiments.predictions
+
+many-maps: environment  ## run one map and many beside each other, for chapter many, and store their figures (resumable)
+	@$(BIN)/python -m book.experiments.many_maps
 
 rosetta: environment  ## write the tables of the page Rosetta from its CSV and the package
 	@$(BIN)/python -m book.tools.rosetta

@@ -43,6 +43,10 @@ AGAIN = {
         "book/tests/test_stored_invariant_nees.py::test_the_first_numbers_come_out_again",
         "book/tests/test_stored_invariant_nees.py::test_a_whole_run_comes_out_again",
     ],
+    f"{DATA}/many_maps.json": [
+        "book/tests/test_stored_many_maps.py::test_the_first_run_comes_out_again",
+        "book/chapters/many.ipynb::1c7de29b",
+    ],
     f"{DATA}/measurement_errors.json": [
         "book/tests/test_stored_measurement_errors.py::test_a_short_film_comes_out_again",
     ],

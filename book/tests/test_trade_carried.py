@@ -65,6 +65,17 @@ def test_straight_steps_in_three_directions_keep_trades_that_span_all_six():
     assert np.linalg.matrix_rank(np.concatenate(kept)) == 6
 
 
+def test_steps_near_one_that_turns_keep_trades_that_span_all_six():
+    """Each keeps the shift along its axis and the turn about it, and axes that are near span all twists."""
+    kept = []
+    for change in 0.01 * np.eye(6):
+        step = pose_of(np.array([0.1, 0, 0, 0, 0, 0.05]) + change)
+        _, s, V = np.linalg.svd(after_step(step, step) - after_step(step, ORIGIN))
+        kept.append(V[s < 1e-12])
+        assert len(kept[-1]) == 2
+    assert np.linalg.matrix_rank(np.concatenate(kept)) == 6
+
+
 def test_twists_of_the_frame_before_a_step_displace_the_pose_after_it(rng):
     """compose(start exp(twist), step) by differences."""
     start, step = Pose.random(rng), pose_of(0.3 * rng.standard_normal(6))
