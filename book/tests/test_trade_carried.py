@@ -73,6 +73,8 @@ def test_steps_near_one_that_turns_keep_trades_that_span_all_six():
         _, s, V = np.linalg.svd(after_step(step, step) - after_step(step, ORIGIN))
         kept.append(V[s < 1e-12])
         assert len(kept[-1]) == 2
+        for twist in (Pose.plus(ORIGIN, 1e-6 * a) for a in kept[-1]):
+            np.testing.assert_allclose(compose(step, twist), compose(twist, step), atol=1e-10)
     assert np.linalg.matrix_rank(np.concatenate(kept)) == 6
 
 
