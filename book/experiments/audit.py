@@ -1,8 +1,7 @@
-"""`make audit`: every number E01 to E30 of the list of the report's errata, computed again.
+"""`make audit`: every number E01 to E30 of the list of the report's errata, computed.
 
-For each: what the report states and where, what is right, the figures as computed now, those of the list, the limits,
-and a verdict: reproduced, corrected (the list was, and the remark says why), reading, or FAILED. The exit status is 1
-if one failed. --store writes the file that page report_audited draws its table from.
+For each: what the report states and where, what is right, the figures, their limits, and a verdict: computed, read (an
+error of words), or FAILED. The exit status is 1 if one failed. --store writes the file of page report_audited's table.
 """
 
 import argparse
@@ -46,10 +45,8 @@ def text(found: AuditFinding) -> str:
 
 
 def _figure(figure: AuditFigure) -> list[str]:
-    mark = "!" if not figure.holds else "*" if figure.corrected else " "
-    line = (
-        f"{mark:>10} {figure.what:<62}{figure.measured:>10.4g}  list {figure.listed or '-':<12.12} {figure.tolerance}"
-    )
+    mark = " " if figure.holds else "!"
+    line = f"{mark:>10} {figure.what:<62}{figure.measured:>10.4g}  {figure.tolerance}"
     return [line, *(f"{'':14}{part}" for part in _wrapped(figure.remark))]
 
 
@@ -96,7 +93,7 @@ def file_text(found: list[AuditFinding]) -> str:
 
 def main() -> int:
     """Compute, print, and say whether all of it holds."""
-    parser = argparse.ArgumentParser(description="Compute every figure of the errata E01 to E30 again.")
+    parser = argparse.ArgumentParser(description="Compute every figure of the errata E01 to E30.")
     parser.add_argument("--only", nargs="+", default=[], metavar="E07", help="these numbers alone")
     parser.add_argument("--json", action="store_true", help="print the rows as JSON")
     parser.add_argument("--store", action="store_true", help=f"write {FILE.relative_to(layout.ROOT)} (all numbers)")
@@ -117,7 +114,7 @@ def main() -> int:
         layout.write_whole(FILE, file_text(found).encode())
     if not given.json:
         verdicts = [finding.verdict for finding in found]
-        counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("reproduced", "corrected", "reading") if v in verdicts)
+        counts = ", ".join(f"{verdicts.count(v)} {v}" for v in ("computed", "read") if v in verdicts)
         told = f"FAILED: {' '.join(failed)}" if failed else "all within their limits"
         seconds = sum(finding.seconds for finding in found)
         print(f"audit: {len(found)} numbers, {counts}; {told} ({seconds:.0f} s)")

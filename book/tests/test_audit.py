@@ -138,7 +138,7 @@ def test_limits():
 def test_a_failure_is_the_exit_status(monkeypatch, capsys):
     monkeypatch.setattr("sys.argv", ["audit", "--only", "E11", "E30"])
     assert audit.main() == 0
-    assert "2 numbers, 1 reproduced, 1 reading; all within their limits" in capsys.readouterr().out
+    assert "2 numbers, 1 computed, 1 read; all within their limits" in capsys.readouterr().out
     broken = AuditCheck("E11", "", "", "", lambda: iter([near("wrong", 2, 1, 0.1)]))
     monkeypatch.setitem(CHECKS, "E11", broken)
     assert audit.main() == 1

@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from math import inf
 
@@ -19,18 +19,13 @@ RUNS, SEED = 20, 0
 
 @dataclass(frozen=True)
 class AuditFigure:
-    """One number: what it is, its value now, the limits it must lie in, and its value in the list of errata.
-
-    `corrected`: the list's figure is not what comes out; `remark` says why.
-    """
+    """One number: what it is, its value, the limits it must lie in, and a remark on how it is meant."""
 
     what: str
     measured: float
     low: float
     high: float
-    listed: str = ""
     remark: str = ""
-    corrected: bool = False
 
     @property
     def holds(self) -> bool:
@@ -45,32 +40,19 @@ class AuditFigure:
         return f"at most {self.high:.2g}" if self.low == -inf else f"{self.low:.4g} to {self.high:.4g}"
 
 
-def near(
-    what: str, measured: float, expected: float, tolerance: float, *, listed: str | None = None, remark: str = ""
-) -> AuditFigure:
-    """A figure that must come out within the tolerance; listed: what the list has, if not what is expected."""
-    said = f"{expected:.4g}" if listed is None else listed
-    return AuditFigure(what, float(measured), float(expected - tolerance), float(expected + tolerance), said, remark)
+def near(what: str, measured: float, expected: float, tolerance: float, *, remark: str = "") -> AuditFigure:
+    """A figure that must come out within the tolerance."""
+    return AuditFigure(what, float(measured), float(expected - tolerance), float(expected + tolerance), remark)
 
 
-def instead(what: str, measured: float, expected: float, tolerance: float, *, listed: str, remark: str) -> AuditFigure:
-    """A figure of the list that is not right: what is expected in its place, within the tolerance, and why."""
-    return replace(near(what, measured, expected, tolerance, listed=listed, remark=remark), corrected=True)
+def at_least(what: str, measured: float, least: float) -> AuditFigure:
+    """An effect that must be this large."""
+    return AuditFigure(what, float(measured), float(least), inf)
 
 
-def ours(what: str, measured: float, expected: float, tolerance: float, *, remark: str = "") -> AuditFigure:
-    """A figure that the list does not have."""
-    return near(what, measured, expected, tolerance, listed="", remark=remark)
-
-
-def at_least(what: str, measured: float, least: float, *, listed: str = "", remark: str = "") -> AuditFigure:
-    """An effect that must be this large; `listed` is the list's value."""
-    return AuditFigure(what, float(measured), float(least), inf, listed, remark)
-
-
-def at_most(what: str, measured: float, most: float, *, listed: str = "0") -> AuditFigure:
+def at_most(what: str, measured: float, most: float) -> AuditFigure:
     """Something that must vanish, up to rounding."""
-    return AuditFigure(what, float(measured), -inf, float(most), listed)
+    return AuditFigure(what, float(measured), -inf, float(most))
 
 
 Findings = Iterator[AuditFigure | str]  # figures; and words: the statistics of its runs, or what was read and where
@@ -92,12 +74,10 @@ class AuditFinding:
 
     @property
     def verdict(self) -> str:
-        """FAILED, reading (no figures), corrected (the list was), or reproduced."""
+        """FAILED, read (no figures), or computed."""
         if not self.holds:
             return "FAILED"
-        if not self.figures:
-            return "reading"
-        return "corrected" if any(f.corrected for f in self.figures) else "reproduced"
+        return "computed" if self.figures else "read"
 
 
 @dataclass(frozen=True)

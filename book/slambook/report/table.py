@@ -22,8 +22,8 @@ class AuditTable:
 
 
 def _line(row: dict[str, Any]) -> str:
-    """One number: folded, what is said and the verdict; open, what is right, the figures and the note."""
-    head = f"<b>{row['number']}</b> {escape(row['where'])}: {escape(row['says'])} <i>({row['verdict']})</i>"
+    """One number: folded, what is said; open, what is right, the figures and the note."""
+    head = f"<b>{row['number']}</b> {escape(row['where'])}: {escape(row['says'])}"
     body = f"<p>Right: {escape(row['right'])}.</p>{_figures(row['figures'])}"
     note = f"<p>{escape(row['note'])}</p>" if row["note"] else ""
     return f"<details><summary>{head}</summary>{body}{note}</details>"
@@ -33,9 +33,7 @@ def _figures(figures: Rows) -> str:
     if not figures:
         return ""
     rows = "".join(
-        f"<tr><td>{escape(f['what'])}</td><td>{f['measured']}</td><td>{escape(f['listed']) or '-'}</td>"
-        f"<td>{escape(f['remark'])}</td></tr>"
-        for f in figures
+        f"<tr><td>{escape(f['what'])}</td><td>{f['measured']}</td><td>{escape(f['remark'])}</td></tr>" for f in figures
     )
-    head = "<tr><th>figure</th><th>measured</th><th>listed before</th><th>remark</th></tr>"
+    head = "<tr><th>figure</th><th>measured</th><th>remark</th></tr>"
     return f'<div style="overflow-x:auto"><table>{head}{rows}</table></div>'

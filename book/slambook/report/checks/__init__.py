@@ -12,13 +12,12 @@ __all__ = ["CHECKS", "landmarks", "motion", "observation", "turning", "update"]
     "E29",
     "1.1",
     "ISRR'99: 'the Kalman filter based SLAM ... by Sebastian Thrun'",
-    "two things were brought together there",
+    "convergence and the acronym are of ISRR'95",
 )
 def history() -> Findings:
     yield (
-        "read: 1.1, last paragraph. From memory of Durrant-Whyte and Bailey (2006): the acronym and the "
-        "convergence result are of ISRR'95; the session of 1999 brought Kalman-filter SLAM and the probabilistic "
-        "methods of Thrun together. Not checked against the source: history only, no equation depends on it"
+        "read: 1.1, last paragraph. Durrant-Whyte and Bailey (2006): the convergence result and the acronym were "
+        "presented at the symposium of 1995. History only, no equation depends on it"
     )
 
 
