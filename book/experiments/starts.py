@@ -2,8 +2,9 @@
 
 Four starts, half of the films in a drawn room and half in one of photographs, 5 s each, run as `slamlib run images`
 does by default: at rest, in motion, turning in one place for 1.5 s before it moves, and in motion before a single wall.
-The first two also with `--initialization priors`, at rest with narrow ones too, and at rest twenty more films. Then
-films that are cut after 3 s: the camera is elsewhere, with the map in view, or turned away. Stored: a row per film.
+The first two also with `--initialization priors`, at rest with narrow ones too, and at rest twenty more films of each
+start. Then films that are cut after 3 s: the camera is elsewhere, with the map in view, or turned away. Stored: a row
+per film.
 """
 
 from collections.abc import Callable
@@ -171,6 +172,7 @@ PARTS: dict[str, Callable[[], Any]] = {
     "frames": lambda: FRAMES,
     "blind": lambda: BLIND,
     **{start: partial(rows, started, start) for start in STARTS},
+    "at rest, 20 more": partial(rows, started, "at rest", first=FILMS + 1),
     "usual priors, in motion": partial(rows, started, "in motion", priors="usual"),
     **{f"{kind} priors, at rest": partial(rows, started, "at rest", priors=kind) for kind in ("usual", "narrow")},
     **{
