@@ -15,7 +15,8 @@ from slamlib.cli import arguments as shared
 from slamlib.cli import runner
 from slamlib.cli.runner import EXIT_ERROR, Job, RunEnd
 from slamlib.errors import SlamlibError, entry
-from slamlib.evaluation.comparison import compared, sigmas_at_end
+from slamlib.evaluation.comparison import ComparisonOptions, compared, sigmas_at_end
+from slamlib.evaluation.pose_errors import KEPT
 from slamlib.evaluation.trajectory import Trajectory, read_trajectory, write_tum
 from slamlib.experiments.progress import progress
 from slamlib.landmarks import POINTS
@@ -60,7 +61,8 @@ class ImageCommand:
         add("--trajectory", metavar="FILE", help="write the camera's trajectory in TUM format, for evo; beside it its "
             "covariances, which `slamlib evaluate` reads too, in a file named as it is and .cov")  # fmt: skip
         add("--reference", metavar="FILE", help="compare with a trajectory of this camera (columns of a header, or of "
-            "TUM, EuRoC, KITTI or TartanAir)")  # fmt: skip
+            "TUM, EuRoC, KITTI or TartanAir); NEES is of the error whose covariance the filter keeps: invariant with "
+            "the option error=world, where the linear one's stands beside, else linear")  # fmt: skip
         shared.reference_format(add)
         shared.reference_std(add)
         add("--calibration-std", action="append", default=[], metavar="NAME=STD",
@@ -126,12 +128,13 @@ class ImageCommand:
         if given.trajectory:
             write_tum(given.trajectory, path)
         runner.export_map(given, run.snapshot)
+        how = ComparisonOptions(covariance_error=KEPT[run.slam.options.carried])
         try:
             if reference is not None:
-                s["reference"], series = compared(path, reference, run.metric, given.reference_std)
+                s["reference"], series = compared(path, reference, run.metric, given.reference_std, how)
                 runner.export_plot(given, lambda: {"camera": series})
                 if s["calibration"] and s["reference"]["nees"]:
-                    without, _ = compared(claimed, reference, run.metric, given.reference_std)
+                    without, _ = compared(claimed, reference, run.metric, given.reference_std, how)
                     s["calibration"]["without"]["nees"] = without["nees"]["median"]
         except SlamlibError as error:  # the run is valid without the reference
             ended.status = EXIT_ERROR

@@ -87,16 +87,20 @@ def summary(result: Result) -> dict[str, Any]:
         }
         for i, setup in enumerate(result.preset.rig.robots)
     ]
-    found = result.extrinsics, result.extrinsics_nees, result.extrinsics_dof
-    sensors = zip(result.preset.rig.sensors, *found, strict=True)
+    nees = {"nees": result.extrinsics_nees, "nees_invariant": result.extrinsics_nees_invariant}
+    sensors = enumerate(zip(result.preset.rig.sensors, result.extrinsics, result.extrinsics_dof, strict=True))
     return {
         "preset": result.preset.name,
         "seed": result.preset.seed,
         "frames": len(result.nees),
         "robots": robots,
         "extrinsics": [
-            {**_deviation(setup.name, *pair), "nees": float(nees), "nees_dof": int(dof)}
-            for setup, pair, nees, dof in sensors
+            {
+                **_deviation(setup.name, *pair),
+                **{key: float(values[i]) for key, values in nees.items()},
+                "nees_dof": int(dof),
+            }
+            for i, (setup, pair, dof) in sensors
             if setup.estimated
         ],
         "nis_per_dof": float(result.nis.sum() / max(result.nis_dof.sum(), 1)),
@@ -146,8 +150,8 @@ def table(result: Result) -> str:
             inside = f"{robot[f'{key}_inside']:.0%} of the steps inside [{low:.2f}, {high:.2f}]"
             share = f"{robot[key]:.2f}, {at}; {inside} (1 run, 95 %)"
         rows.append((f"{robot['name']}: NEES, {robot['nees_dof']} dof, {error} error", share))
-    for e in s["extrinsics"]:
-        rows.append((f"{e['name']}: extrinsics NEES, {e['nees_dof']} dof, linear error", f"{e['nees']:.2f}, {at}"))
+    for e, (error, key) in product(s["extrinsics"], NEES.items()):
+        rows.append((f"{e['name']}: extrinsics NEES, {e['nees_dof']} dof, {error} error", f"{e[key]:.2f}, {at}"))
     rows.append(("NIS per degree of freedom", f"{s['nis_per_dof']:.2f}"))
     rows.append(("landmarks", f"{s['landmarks']} in the map, {s['initialized']} initialized, {s['deleted']} deleted"))
     for name in ("point", "line"):

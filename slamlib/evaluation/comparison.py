@@ -30,6 +30,7 @@ KITTI_LENGTHS = tuple(map(float, range(100, 900, 100)))  # [m]
 LEAST_PAIRS, LEAST_SHARE, FEW = 3, 0.05, 10  # fewer pairs than FEW are too few unless they are a share of the poses
 LEAST_TURN = np.radians(1)  # of a reference that turns, and does not stand still
 OTHER_FRAME = np.radians(20)  # of larger turns that all poses have in common a note is made
+BESIDE = "nees_linear"  # NEES of the linear error, where the covariances are of another one
 UNEXPLAINED = 0.7  # share of the reference's spread: of a larger ATE with a free scale a note is made
 
 
@@ -175,7 +176,8 @@ def compared(
 
     metric: whether the scale is known; noise: the reference's own standard deviations, position and orientation.
     Lengths in the reference's unit, angles in degrees. NEES needs a path with covariances; a free scale is then that of
-    the best alignment, too. Second the errors of each pose, arrays (n,) by name, for a plot: after the alignment, or by
+    the best alignment, too. It is of the error that these are said to be of, and nees_linear of the linear one where
+    that is another. Second the errors of each pose, arrays (n,) by name, for a plot: after the alignment, or by
     the first poses alone where NEES is known. Raises SlamlibError.
     """
     path, reference, offset, notes = _by_one_clock(path, reference, how.offset)
@@ -217,6 +219,7 @@ def compared(
         },
         "parts": parts(estimate, other) if metric and how.align != "scale" else None,
         "nees": _consistency(series, how.covariance_error) if uncertain else None,
+        "nees_linear": _consistency(series, "linear", BESIDE) if BESIDE in series else None,
         "notes": notes,
     }  # fmt: skip
     return summary, series
@@ -303,7 +306,7 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float], e
     A filter's covariance is of its pose relative to where it started, not to where a best alignment of all puts it. But
     one pose of a reference may be wrong by more than the filter is (0.5 degrees are 0.5 m after 60 m): the first second
     counts, or a tenth of a shorter path. Its own NEES, which are too small, are nan. noise: of each of its poses;
-    error: of which NEES is, among ERRORS.
+    error: of which NEES is, among ERRORS; where that is not the linear one, BESIDE is of the linear one.
     """
     spans = estimate.times - estimate.times[0]
     first = np.flatnonzero(spans <= min(PLACED, spans[-1] / 10))
@@ -312,13 +315,17 @@ def _nees(estimate: Trajectory, reference: Trajectory, noise: Sequence[float], e
     covariances = np.asarray(moved.covariances) + np.diag(np.repeat([noise[0], np.radians(noise[1])], 3) ** 2)
     errors = np.array(list(map(Pose.minus, reference.poses, moved.poses)))
     sigmas = np.sqrt(np.diagonal(covariances, axis1=1, axis2=2))
-    judged = map(pose_nees, map(ERRORS[error], reference.poses, moved.poses), covariances)
-    nees, rank = map(np.array, zip(*judged, strict=True))
-    if len(first) > 1:
-        nees[first] = np.nan
-    dof = rank.max()  # where more is known exactly than elsewhere, as at a start, is none that could be compared
-    nees[rank < dof] = np.nan
-    return {"nees": nees, "nees_dof": np.full(len(nees), dof), **magnitudes(errors, sigmas)}
+    columns = {"nees": error} if error == "linear" else {"nees": error, BESIDE: "linear"}
+    found: dict[str, Array] = {}
+    for name, own in columns.items():
+        judged = map(pose_nees, map(ERRORS[own], reference.poses, moved.poses), covariances)
+        nees, rank = map(np.array, zip(*judged, strict=True))
+        if len(first) > 1:
+            nees[first] = np.nan
+        dof = rank.max()  # where more is known exactly than elsewhere, as at a start, is none that could be compared
+        nees[rank < dof] = np.nan
+        found |= {name: nees, "nees_dof": np.full(len(nees), dof)}
+    return {**found, **magnitudes(errors, sigmas)}
 
 
 def _ranks(series: dict[str, Array]) -> list[str]:
@@ -348,8 +355,8 @@ def sigmas_at_end(path: Trajectory) -> dict[str, float]:
     return {name: float(value) for name, value in found.items() if name.endswith("sigma")}
 
 
-def _consistency(series: dict[str, Array], error: str) -> dict[str, Any] | None:
-    known = series["nees"][np.isfinite(series["nees"])]
+def _consistency(series: dict[str, Array], error: str, column: str = "nees") -> dict[str, Any] | None:
+    known = series[column][np.isfinite(series[column])]
     if not len(known):
         return None
     dof = int(series["nees_dof"][0])
@@ -363,7 +370,7 @@ def _consistency(series: dict[str, Array], error: str) -> dict[str, Any] | None:
 
 def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
     """The rows of a comparison as texts (name, value)."""
-    p, o, step, part, nees = r["position"], r["orientation"], r["rpe"], r["parts"], r["nees"]
+    p, o, step, part = r["position"], r["orientation"], r["rpe"], r["parts"]
     still = r["relative_ate"] is None
     share = "of no path" if still else f"{r['relative_ate']:.2%} of the path of {r['path_length']:.4g}"
     pairs, offset = r["pairs"], r["pairs"]["offset"]
@@ -383,15 +390,16 @@ def rows(r: dict[str, Any]) -> list[tuple[str, str]]:
         means = f"{part['translation_mean']:.3%} of the length, {part['rotation_mean']:.4f} degrees per metre"
         lengths = f"{part['lengths'][0]:g} to {part['lengths'][-1]:g} m"
         found.append((f"error over parts of {lengths}", f"{means} (KITTI's metric)"))
-    if nees:
-        (low, high), e = nees["band"], nees["at_end"]
+    for nees in filter(None, (r["nees"], r["nees_linear"])):
+        low, high = nees["band"]
         inside = f"{nees['inside']:.0%} of the poses inside [{low:.2f}, {high:.2f}] (1 run, 95 %)"
-        found += [
-            (f"NEES, {nees['dof']} dof, {nees['error']} error",
-             f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"),
-            ("at the end, from the start", f"off by {e['position']:.3g} (sigma {e['position_sigma']:.2g}), "
-             f"{e['orientation']:.2g} degrees (sigma {e['orientation_sigma']:.2g})"),
-        ]  # fmt: skip
+        name = f"NEES, {nees['dof']} dof, {nees['error']} error"
+        found.append((name, f"median {nees['median']:.3g}, last {nees['last']:.3g}; {inside}"))
+    if r["nees"]:
+        e = r["nees"]["at_end"]
+        off = f"off by {e['position']:.3g} (sigma {e['position_sigma']:.2g})"
+        turned = f"{e['orientation']:.2g} degrees (sigma {e['orientation_sigma']:.2g})"
+        found.append(("at the end, from the start", f"{off}, {turned}"))
     return found
 
 

@@ -33,6 +33,8 @@ def invariant_error(true: Array, estimate: Array) -> Array:
 # What a covariance of a pose may be of, and the error that is judged by it: both in the same coordinates.
 ERRORS: dict[str, Callable[[Array, Array], Array]] = {"linear": Pose.minus, "invariant": invariant_error}
 
+KEPT = {False: "linear", True: "invariant"}  # of which a filter's covariances are: by `Options.carried`
+
 
 def pose_nees(error: Array, covariance: Array, free: Array | None = None) -> tuple[float, int]:
     """NEES of an error (6,) of a pose by its covariance (6, 6), and its degrees of freedom.

@@ -36,10 +36,11 @@ class Result:
     errors (n, r, 6): true pose minus estimate, in the tangent space; sigmas (n, r, 6): their estimated standard
     deviations; nees (n, r), of nees_dof (n, r) degrees of freedom, the rank of the pose's covariance. nees_invariant
     (n, r): of as many, of the invariant error, whose covariance a filter with error="world" keeps.
-    extrinsics (s, 2, 6): errors and deviations of the sensors' at the end, extrinsics_nees (s,) their NEES, of
-    extrinsics_dof (s,); zero where they are given. nis (n,), of nis_dof (n,) degrees of freedom: of all inliers.
-    landmarks, size, seconds (n,): of the map, of the state, and of the processor. initialized, deleted: in the whole
-    run. map_errors: by family, distances [m] (k,) of the final map's landmarks from the truth.
+    extrinsics (s, 2, 6): errors and deviations of the sensors' at the end; extrinsics_nees (s,) their NEES, and
+    extrinsics_nees_invariant (s,) that of the invariant error, of extrinsics_dof (s,); zero where they are given.
+    nis (n,), of nis_dof (n,) degrees of freedom: of all inliers. landmarks, size, seconds (n,): of the map, of the
+    state, and of the processor. initialized, deleted: in the whole run. map_errors: by family, distances [m] (k,) of
+    the final map's landmarks from the truth.
     """
 
     preset: Preset
@@ -55,6 +56,7 @@ class Result:
     seconds: Array
     extrinsics: Array
     extrinsics_nees: Array
+    extrinsics_nees_invariant: Array
     extrinsics_dof: Array
     initialized: int
     deleted: int
@@ -234,15 +236,18 @@ class Run:
             raise SlamlibError("nothing has been run yet")
         columns = zip(COLUMNS, map(np.array, zip(*self._history, strict=True)), strict=True)
         count = len(self.slam.sensors)
-        extrinsics, nees, ranks = np.zeros((count, 2, 6)), np.zeros(count), np.zeros(count, dtype=int)
-        for i, (sensor, true) in enumerate(zip(self.slam.sensors, self._extrinsics, strict=True)):
+        extrinsics, ranks = np.zeros((count, 2, 6)), np.zeros(count, dtype=int)
+        nees, invariant = np.zeros((2, count))
+        for i, (sensor, values) in enumerate(zip(self.slam.sensors, self._extrinsics, strict=True)):
             if sensor.block is not None:
-                P = self.slam.belief.covariance(sensor.block)
-                *extrinsics[i], nees[i], ranks[i] = pose_error(np.array(true), sensor.extrinsics, P)
+                P, true = self.slam.belief.covariance(sensor.block), np.array(values)
+                *extrinsics[i], nees[i], ranks[i] = pose_error(true, sensor.extrinsics, P)
+                invariant[i], _ = pose_nees(invariant_error(true, sensor.extrinsics), P)
         return Result(
             preset=self.preset,
             extrinsics=extrinsics,
             extrinsics_nees=nees,
+            extrinsics_nees_invariant=invariant,
             extrinsics_dof=ranks,
             initialized=self._initialized,
             deleted=self._deleted,

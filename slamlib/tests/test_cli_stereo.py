@@ -10,7 +10,8 @@ from slambook import kitti_street, rendering
 
 from slamlib.cli import main, runner
 from slamlib.datasets.times import table
-from slamlib.evaluation.comparison import lengths_of
+from slamlib.evaluation.comparison import evaluate, lengths_of
+from slamlib.evaluation.pose_errors import ERRORS
 from slamlib.evaluation.trajectory import read_trajectory
 from slamlib.geometry.pose import relative
 from slamlib.geometry.quaternion import rotation
@@ -90,6 +91,23 @@ def test_the_layout_of_kitti_with_its_table_and_trajectory(room, tmp_path, capsy
     assert len(path) == COUNT
     error = from_start(path)[-1, :3] - from_start(truth)[-1, :3]
     assert np.linalg.norm(error) < 0.01 * truth.distances[-1] + 0.002
+
+
+def test_nees_is_of_the_error_whose_covariance_the_filter_keeps_with_the_linear_one_beside(room, tmp_path, capsys):
+    out, truth = tmp_path / "path.txt", str(room / "groundtruth_0.txt")
+    for option, kept in (([], "invariant"), (["--option", "error=local"], "linear")):
+        given = words(room, *option, "--reference", truth, "--trajectory", str(out), "--overwrite", "--json")
+        assert main(given) == 0
+        told = found(capsys)["reference"]
+        judged = {error: evaluate(out, truth, covariance_error=error).summary["nees"] for error in ERRORS}
+        assert judged["invariant"]["median"] != pytest.approx(judged["linear"]["median"], rel=1e-4)
+        assert told["nees"]["error"] == kept
+        assert told["nees"]["median"] == pytest.approx(judged[kept]["median"], rel=1e-5)
+        if kept == "linear":
+            assert told["nees_linear"] is None
+        else:
+            assert told["nees_linear"]["error"] == "linear"
+            assert told["nees_linear"]["median"] == pytest.approx(judged["linear"]["median"], rel=1e-5)
 
 
 # All 33 features of these small pictures become landmarks: "correlated" has none left for its odometry, and in the

@@ -13,11 +13,13 @@ from slamlib.evaluation.consistency import nees_in_range
 from slamlib.evaluation.pose_errors import ERRORS, invariant_error, pose_nees
 from slamlib.evaluation.trajectory import Trajectory
 from slamlib.experiments.monte_carlo import monte_carlo
-from slamlib.experiments.presets import five_minutes, points
+from slamlib.experiments.presets import five_minutes, points, self_calibration
+from slamlib.experiments.runs import Run
 from slamlib.geometry import pose2
 from slamlib.geometry.pose import Pose, compose, exponential, inverse, logarithm
 from slamlib.kalman.linalg import left_inverse
 from slamlib.motions import MOTIONS, ODOMETRY
+from slamlib.slam.transport import trade
 
 
 @pytest.fixture
@@ -131,11 +133,34 @@ def test_a_path_is_judged_by_the_error_that_its_covariances_are_said_to_be_of(rn
         summary = evaluate(path, Trajectory(path.times, truth), covariance_error=error).summary["nees"]
         assert summary["error"] == error
         found[error] = summary
+    beside = evaluate(path, Trajectory(path.times, truth), covariance_error="invariant")
+    assert beside.summary["nees_linear"] == found["linear"]
+    said = [name for name in repr(beside).splitlines() if "NEES" in name]
+    assert ["invariant error" in name for name in said] == [True, False]
+    assert evaluate(path, Trajectory(path.times, truth)).summary["nees_linear"] is None
     assert found["invariant"]["inside"] > 0.85
     assert found["linear"]["median"] > 5 * found["invariant"]["median"]
     assert evaluate(path, Trajectory(path.times, truth)).summary["nees"] == found["linear"]
     with pytest.raises(SlamlibError, match="unknown covariance error 'world'"):
         evaluate(path, path, covariance_error="world")
+
+
+def test_extrinsics_that_are_estimated_are_judged_by_both_errors():
+    """What the filter carries of them, as `error="world"`, is a motion about the robot: their invariant error."""
+    p = self_calibration()
+    first, second = p.rig.sensors
+    second = replace(second, orientation_std=(15.0,) * 3)
+    p = replace(p, frames=3, rig=replace(p.rig, sensors=(first, second)), options=replace(p.options, error="world"))
+    run = Run(p)
+    *_, last = run
+    own, found = run.slam.sensors[1], run.result()
+    moved = trade(run.slam.belief.size, own, own.block)[own.block.slice]
+    N = generator(ODOMETRY, own.extrinsics)
+    np.testing.assert_allclose(moved, -N, atol=1e-12)
+    xi, L = logarithm(compose(last.truth.extrinsics[1], inverse(own.extrinsics))), left_inverse(N)
+    nees = xi @ np.linalg.solve(L @ run.slam.belief.covariance(own.block) @ L.T, xi)
+    assert found.extrinsics_nees_invariant.tolist() == pytest.approx([0, nees], rel=1e-7)
+    assert found.extrinsics_nees_invariant[1] != pytest.approx(found.extrinsics_nees[1], rel=1e-4)
 
 
 # -- bands: starts whose orientation is vague --------------------------------------------------------------------------
