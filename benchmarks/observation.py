@@ -15,7 +15,7 @@ import cProfile
 import io
 import pstats
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
@@ -86,7 +86,7 @@ def yardstick() -> Callable[[], Any]:
     return lambda: dsyrk(-1.0, W.T, 1.0, P.T, overwrite_c=1)
 
 
-def quickest(functions: dict[str, Callable[[], Any]], seconds: float) -> dict[str, float]:
+def quickest(functions: Mapping[str, Callable[[], Any]], seconds: float) -> dict[str, float]:
     """Least CPU time of a call of each [s], taking turns, so that a change of the machine's pace meets all alike."""
     best = dict.fromkeys(functions, np.inf)
     end = time.process_time() + seconds

@@ -20,7 +20,7 @@ from slamlib.experiments.presets import Preset, points, two_robots
 from slamlib.geometry.pose import Pose
 from slamlib.manifolds import Array
 from slamlib.rigs.setup import Rig, SensorSetup
-from slamlib.slam import Options
+from slamlib.slam import Options, Slam
 
 FILE = layout.BOOK / "chapters" / "data" / "many_maps.json"
 SETS, RUNS, FULL = (180, 181), 50, 30  # of seeds; runs of each; landmarks of a map
@@ -44,10 +44,11 @@ def run(number: int, seed: int) -> dict[str, list[float]]:
     presets = {error: tour(error) for error in ERRORS}
     one = {error: preset.slam() for error, preset in presets.items()}
     many = {error: SubmapSlam(preset.rig, preset.options, max_landmarks=FULL) for error, preset in presets.items()}
+    every: list[Slam | SubmapSlam] = [*one.values(), *many.values()]
     recorded, last = Smoother(one["local"]), np.empty(7)
     for frame, truth in presets["local"].simulate(np.random.default_rng([number, seed])):
-        for slam in (*one.values(), *many.values()):
-            slam.step(frame)
+        for each in every:
+            each.step(frame)
         recorded.record(frame)
         last = truth.poses[0]
     found = {}
