@@ -13,6 +13,7 @@ from slamlib.entities.linearization import Linearization
 from slamlib.entities.rig import RigSensor, Robot
 from slamlib.kalman.state import StateLayout, places
 from slamlib.manifolds import Array, Euclidean, Indices
+from slamlib.records.ids import Id
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +67,7 @@ class State:
     sensors: list[RigSensor] = field(default_factory=list)
     landmarks: list[Landmark] = field(default_factory=list)
     _kinds: tuple[StateLayout | None, list[KindRows]] = field(default=(None, []), repr=False)
+    _ids: tuple[StateLayout | None, frozenset[Id]] = field(default=(None, frozenset()), repr=False)
 
     @property
     def layout(self) -> StateLayout | None:
@@ -78,6 +80,13 @@ class State:
         if layout is None or self._kinds[0] is not layout:
             self._kinds = layout, kinds_of(self.landmarks)
         return self._kinds[1]
+
+    def ids(self) -> frozenset[Id]:
+        """The numbers of the landmarks, looked up likewise."""
+        layout = self.layout
+        if layout is None or self._ids[0] is not layout:
+            self._ids = layout, frozenset(landmark.id for landmark in self.landmarks)
+        return self._ids[1]
 
     @property
     def linearization(self) -> Linearization | None:

@@ -318,9 +318,8 @@ class Slam:
             kind = family.new_kind(self.options, sensor)
             if kind is None or not family.supports(sensor):
                 continue
-            known = {landmark.id for landmark in self.landmarks}
             usable = partial(family.usable, sensor, options=self.options)
-            for detected in self.front_ends[i].detect(inputs, family.name, known, usable, count):
+            for detected in self.front_ends[i].detect(inputs, family.name, self.state.ids(), usable, count):
                 self._initialize_one(i, family, kind, detected, report)
 
     def _initialize_one(

@@ -1,7 +1,7 @@
 """Components of runs on images: the base of all front ends on images, and the source of the robot's motion."""
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, Generic, Protocol, TypeVar
@@ -119,12 +119,12 @@ class ImageFrontEnd(Generic[Signature, Settings]):
                 self.backoff[prediction.landmark.id] = before.increased(self.settings.max_backoff)
         return measured, found
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: Set[Id], usable: Usable, count: int) -> list[Detected]:
         """Up to `count` new landmarks (id, measurement, signature)."""
         with self.seconds.timed("detection"):
             return [(self.new_id(known), *new) for new in self.new_landmarks(inputs, usable, count)]
 
-    def new_id(self, known: set[Id]) -> int:
+    def new_id(self, known: Set[Id]) -> int:
         """A number that no landmark has had; known: ids of the landmarks in the map."""
         self.last = max(self.last, *(number for number in known if isinstance(number, int)), 0) + 1
         return self.last
@@ -193,7 +193,7 @@ class CombinedFrontEnd:
         """Measurements (n, m) and mask (n,) from the family's front end."""
         return self.front_ends[family].match(_own(inputs, family), family, predictions)
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: Set[Id], usable: Usable, count: int) -> list[Detected]:
         """New landmarks of the family's front end, with ids that neither front end has given before."""
         given = {f.last for f in self.front_ends.values()}
         return self.front_ends[family].detect(_own(inputs, family), family, known | given, usable, count)

@@ -1,7 +1,7 @@
 """The interface of a front end, which finds a sensor's measurements; its input; and known data association."""
 
 from collections import defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -41,7 +41,7 @@ class FrontEnd(Protocol):
     def match(self, inputs: FrontEndInput, family: str, predictions: list[PredictedMeasurement]) -> tuple[Array, Mask]:
         """Measurements (n, m) of the landmarks searched for, nan where not found, and the mask (n,) of those found."""
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: Set[Id], usable: Usable, count: int) -> list[Detected]:
         """Return up to `count` usable measurements of new landmarks; known: ids of the landmarks in the map."""
 
     def check(self, scan: Scan) -> None:
@@ -84,7 +84,7 @@ class KnownAssociation(FrontEnd):
             measured[matched] = features.values[rows[matched]]
         return measured, matched
 
-    def detect(self, inputs: FrontEndInput, family: str, known: set[Id], usable: Usable, count: int) -> list[Detected]:
+    def detect(self, inputs: FrontEndInput, family: str, known: Set[Id], usable: Usable, count: int) -> list[Detected]:
         """Return the features with the lowest ids that are not known."""
         features = inputs.scan.of(family)
         fresh = sorted((number, row) for row, number in enumerate(features.ids.tolist()) if number not in known)
