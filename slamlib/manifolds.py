@@ -275,9 +275,10 @@ def angles_of(manifold: Manifold) -> Indices:
 
 def check_turns(values: Array, angles: Indices, what: str) -> None:
     """Raise UnitError where a measured angle in the rows (n, m) is beyond a turn: it will be in degrees."""
-    beyond = np.argwhere(np.abs(values[:, angles]) > 2 * np.pi)
-    if len(beyond):
-        row, column = int(beyond[0, 0]), int(angles[beyond[0, 1]])
+    beyond = np.abs(values[:, angles]) > 2 * np.pi
+    if beyond.any():
+        place = np.argwhere(beyond)[0]
+        row, column = int(place[0]), int(angles[place[1]])
         raise UnitError(
             f"{what} number {column} of row {row} is the angle {values[row, column]:g}, above a turn: angles are in "
             "radians (np.radians), and a sensor counts no turns: (a + pi) % (2 pi) - pi takes them off"

@@ -4,7 +4,7 @@ The front end is a reader's own, as in chapter data_association; robot and senso
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from slamlib.manifolds import Array, Mask
 from slamlib.records.ids import Id
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared
-from slamlib.slam.prediction import Predictions
+from slamlib.slam.prediction import Predictions, expected_covariances, expected_values
 
 AXLES, WHEEL = 2.83, 0.76  # [m]: distance of the axles; of the measured wheel from the middle of the rear axle
 
@@ -68,7 +68,7 @@ class NearestNeighbor(FrontEnd):
         values, predictions = inputs.scan.points.values, inputs.predictions
         self.scan, self.row_of, self.new = self.scan + 1, {}, np.arange(len(values))
         if len(values) and predictions:
-            predicted, S = (np.array([getattr(p, name) for p in predictions]) for name in ("value", "S"))
+            predicted, S = expected_values(predictions), expected_covariances(predictions)
             z = inputs.sensor.calibration.sensor.manifold.minus(values, predicted[:, None])
             squares = mahalanobis_squared(z, S[:, None])
             nearest, least = squares.argmin(0), squares.min(0)
@@ -85,14 +85,14 @@ class NearestNeighbor(FrontEnd):
         return np.vstack([values, [np.nan, np.nan]])[rows], rows >= 0
 
     def detect(
-        self, inputs: FrontEndInput, family: str, known: set[Id], usable: Callable[[Array], Mask], count: int
+        self, inputs: FrontEndInput, family: str, known: Set[Id], usable: Callable[[Array], Mask], count: int
     ) -> list[Detected]:
         """Measurements of new landmarks that have been measured often enough."""
         self.tentative = [t for t in self.tentative if self.scan - t.scan <= self.window]
         values = inputs.scan.points.values[self.new]
         if family != "points" or not len(values):
             return []
-        point = inputs.sensor.calibration.back_project_jac(values)[0]
+        point = inputs.sensor.calibration.sensor.back_project(values)
         found: list[Detected] = []
         for value, there in zip(values, from_frame(inputs.sensor.camera, point[:, :3] / point[:, 3:]), strict=True):
             old = [t for t in self.tentative if t.scan < self.scan]

@@ -79,6 +79,7 @@ class PredictedBatch(NamedTuple):
 
     value (n, m): predicted measurements; innovation_input (n, q): what the innovation is computed from; jacobian
     (n, q, k): of that w.r.t. the rows `columns` (n, k) of the joint covariance; options: those of the prediction.
+    S (n, d, d): innovation covariances, where they have been computed.
     """
 
     landmarks: list[Landmark]
@@ -87,9 +88,10 @@ class PredictedBatch(NamedTuple):
     jacobian: Array
     columns: Indices
     options: Any = None  # those of its family
+    S: Any = None
 
     def take(self, rows: list[int]) -> "PredictedBatch":
-        """Select landmarks, in this order."""
+        """Select landmarks, in this order, without S."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
         landmarks = [self.landmarks[i] for i in rows]
         return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)

@@ -70,7 +70,7 @@ def update_in_batch(belief: Belief, sensor: RigSensor, predictions: Predictions,
         squares, limit = innovation_squares(belief, expected, found), gate(options.gate, found.z.shape[1])
         passed = [prediction.apply_gate(nis, limit) for prediction, nis in zip(group, squares, strict=True)]
         if any(passed):
-            keep = np.flatnonzero(passed)
+            keep = slice(None) if all(passed) else np.flatnonzero(passed)  # a slice takes no copies
             parts.append((expected.columns[keep], found.z[keep], found.H[keep], found.R[keep]))
     if parts:
         belief.update_stacked(_stacked(belief.size, parts))

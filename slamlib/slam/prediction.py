@@ -1,6 +1,6 @@
 """Project: the predicted measurements of all landmarks in view of a sensor, with the covariances of the innovations."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Annotated
@@ -30,16 +30,15 @@ class PredictionOptions(FamilyOptions):
 class PredictedMeasurement:
     """The predicted measurement of one landmark, and what becomes of it in a frame.
 
-    S (m, m): innovation covariance; measured (m,): the matched measurement; second_order (m, m): noise for what a
-    linearization leaves out, part of S. score, predicted_patch, found_patch: left here by an image front end for
-    display: the best match's score, the patch searched for and the one found, both grey.
+    measured (m,): the matched measurement; second_order (d, d): noise for what a linearization leaves out, part of S.
+    score, predicted_patch, found_patch: left here by an image front end for display: the best match's score, the patch
+    searched for and the one found, both grey.
     """
 
     family: AnyFamily
     landmark: Landmark
     batch: PredictedBatch
     row: int
-    S: Array
     measured: Array
     second_order: Array | None = None
     chosen: bool = False
@@ -54,6 +53,12 @@ class PredictedMeasurement:
     def value(self) -> Array:
         """The predicted measurement (m,)."""
         return self.batch.value[self.row]
+
+    @property
+    def S(self) -> Array:
+        """The innovation's covariance (d, d)."""
+        S: Array = self.batch.S[self.row]
+        return S
 
     @property
     def columns(self) -> Indices:
@@ -111,13 +116,31 @@ def predict_measurements(
                 covariance = principal_blocks(belief.matrix, expected.columns)
                 left_out = SECOND_ORDER[options.second_order](family, sensor, expected, covariance)
                 R = R + left_out
-            S = innovation_covariances(belief.matrix, expected.columns, H, R)
+            expected = expected._replace(S=innovation_covariances(belief.matrix, expected.columns, H, R))
             nothing = np.full(expected.value.shape[1], np.nan)
             predictions += [
-                PredictedMeasurement(family, lm, expected, i, S[i], nothing, left_out[i])
-                for i, lm in enumerate(expected.landmarks)
+                PredictedMeasurement(family, lm, expected, i, nothing, noise)
+                for i, (lm, noise) in enumerate(zip(expected.landmarks, left_out, strict=True))
             ]
     return predictions
+
+
+def expected_values(predictions: Predictions) -> Array:
+    """Predicted measurements (n, m) of predictions of one size, one or more."""
+    return _stacked(predictions, attrgetter("value"))
+
+
+def expected_covariances(predictions: Predictions) -> Array:
+    """Innovation covariances (n, d, d) of predictions of one size, one or more."""
+    return _stacked(predictions, attrgetter("S"))
+
+
+def _stacked(predictions: Predictions, of: Callable[[PredictedBatch | PredictedMeasurement], Array]) -> Array:
+    """The same array of each: rows of their batch's where they are of one."""
+    batch, *others = {id(prediction.batch): prediction.batch for prediction in predictions}.values()
+    if others:
+        return np.array([of(prediction) for prediction in predictions])
+    return of(batch).take([prediction.row for prediction in predictions], axis=0)
 
 
 def innovation_covariances(covariance: Array, columns: Indices, H: Array, R: Array) -> Array:

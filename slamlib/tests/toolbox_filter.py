@@ -243,7 +243,9 @@ class ToolboxFilter(Slam):
         predictions = self.project(i)
         if "selection" in self.switches:
             for prediction in predictions:
-                prediction.S = prediction.family.certainty(self.belief, sensor, prediction.landmark)
+                E = prediction.family.certainty(self.belief, sensor, prediction.landmark)
+                batch = prediction.batch
+                prediction.batch = batch._replace(S=np.broadcast_to(E, (len(batch.landmarks), *E.shape)))
         inputs, front_end = FrontEndInput(scan, sensor, predictions), self.front_ends[i]
         matched = match(inputs, front_end, select(inputs, front_end, self.options.selection, self.options.updates))
         if "at once" in self.switches:

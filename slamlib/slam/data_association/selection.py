@@ -8,7 +8,7 @@ import numpy as np
 from slamlib.kalman import linalg
 from slamlib.manifolds import Array, Indices
 from slamlib.slam.data_association.front_end import FrontEnd, FrontEndInput
-from slamlib.slam.prediction import Predictions
+from slamlib.slam.prediction import Predictions, expected_covariances
 
 
 def by_information(S: Array, count: int) -> Indices:
@@ -37,8 +37,7 @@ def select(inputs: FrontEndInput, front_end: FrontEnd, rule: str, count: int) ->
     # Determinants of different sizes cannot be compared: each size of measurement has the whole budget for itself.
     chosen: Predictions = []
     for group in sizes.values():
-        S = np.concatenate([prediction.S for prediction in group]).reshape(-1, *group[0].S.shape)
-        chosen += [group[i] for i in SELECTIONS[rule](S, count).tolist()]
+        chosen += [group[i] for i in SELECTIONS[rule](expected_covariances(group), count).tolist()]
     for prediction in chosen:
         prediction.chosen = True
         prediction.landmark.searched += 1

@@ -15,7 +15,7 @@ from slamlib.records.inputs import Scan
 from slamlib.sensors.sensor import Calibration
 from slamlib.slam.data_association.front_end import FrontEndInput, Usable
 from slamlib.slam.data_association.gates import gate
-from slamlib.slam.prediction import Predictions
+from slamlib.slam.prediction import Predictions, expected_covariances, expected_values
 from slamlib.vision.image_front_end import ImageFrontEnd
 from slamlib.vision.stereo.detect import StereoSettings
 from slamlib.vision.stereo.features import (
@@ -131,10 +131,10 @@ class StereoSearch(ImageFrontEnd[LandmarkViews, StereoSettings]):
         if not predictions or not len(seen):
             return np.zeros((len(predictions), len(seen)))
         bits = hamming_distances(np.array([view.descriptor for view in views]), seen.descriptors(0))
-        S = np.array([prediction.S for prediction in predictions])
+        expected, S = expected_values(predictions), expected_covariances(predictions)
         # A detected corner lies up to a pixel from the position at which the landmark was initialized.
         S = S + np.diag([1.0, 1.0, 0.5]) / 3
-        z = seen.values[None] - np.array([prediction.value for prediction in predictions])[:, None]
+        z = seen.values[None] - expected[:, None]
         squares = (z * (z @ np.linalg.inv(S))).sum(-1)
         allowed: Array = np.where(squares <= gate(self.settings.probability, 3), bits, np.inf)
         allowed[:, self.reserved] = np.inf
