@@ -15,7 +15,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slambook.error_coordinates import Fej2Ekf, FirstEstimatesEkf, OrdinaryEkf, TransportEkf
+from slambook.error_coordinates import (
+    Fej2Ekf,
+    FirstEstimatesEkf,
+    IteratedEkf,
+    OrdinaryEkf,
+    TransportEkf,
+)
 from slambook.invariant_ekf import (
     RANGE_BEARING,
     RANGE_YAW_PITCH,
@@ -307,7 +313,10 @@ def chapter() -> Any:
     return stored.plain(found)
 
 
-ON_DRIVES: dict[str, type[InvariantEkf]] = {name: FILTERS[name] for name in ("first estimates", "RI-EKF", "transport")}
+ON_DRIVES: dict[str, type[InvariantEkf]] = {
+    "iterated": IteratedEkf,
+    **{name: FILTERS[name] for name in ("first estimates", "RI-EKF", "transport")},
+}
 
 
 def drives(scene: str) -> Any:
@@ -320,7 +329,8 @@ def drives(scene: str) -> Any:
     kinds = {name: partial(PlanarFilter, kind=kind) for name, kind in ON_DRIVES.items()}
     by_log: dict[str, type[InvariantEkf]] = {"EKF": OrdinaryEkf, **ON_DRIVES}
     for number in DRIVE_SEEDS:
-        made = other_filters.by_chapter(scene, number, DRIVES[scene], {"EKF": PlanarEkf, **kinds})
+        filters = {"EKF": PlanarEkf, "secants": other_filters.chapter()["SecantSlam"], **kinds}
+        made = other_filters.by_chapter(scene, number, DRIVES[scene], filters)
         usual = np.median(np.sqrt(made["EKF"][0].mean(1)))
         found[str(number)] = {}
         for name, (square, nees, map_square, map_nees) in made.items():

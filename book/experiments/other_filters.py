@@ -6,7 +6,9 @@ has the first runs one by one, which chapter and test make again. Times are rati
 
 import json
 from collections.abc import Callable
-from functools import partial
+from contextlib import redirect_stdout
+from functools import cache, partial
+from io import StringIO
 from typing import Any
 
 import numpy as np
@@ -26,7 +28,7 @@ FILTERS: dict[str, tuple[type[FastSlam], tuple[int, ...]]] = {
     "FastSLAM 2.0": (FastSlam2, (10, 100)),
 }
 LOST = 3.0  # times as far off as the EKF in its median run
-CELLS = "25-002", "25-004", "25-023", "25-061"  # of the chapter: what puts all data together, and judges it
+CELLS = "25-002", "25-004", "25-010", "25-012", "25-023", "25-061"  # of the chapter: secants, all data, the contest
 
 
 def contestants(scene: str, seed: int, runs: int) -> dict[str, Contestant]:
@@ -43,10 +45,17 @@ def by_chapter(scene: str, seed: int, runs: int, filters: dict[str, Callable[...
 
     By name: squared errors [m^2] and NEES of the position (runs, n), of the map at the end (runs, 20).
     """
-    chapter = json.loads((layout.BOOK / "chapters" / "other_filters.ipynb").read_text("utf-8"))
+    return chapter()["contest"](scene, seed, runs, filters)
+
+
+@cache
+def chapter() -> dict[str, Any]:
+    """What some cells of the chapter define, by its name; what they print is left out."""
+    cells = json.loads((layout.BOOK / "chapters" / "other_filters.ipynb").read_text("utf-8"))["cells"]
     own: dict[str, Any] = {"__name__": "__main__"}
-    exec("\n".join("".join(cell["source"]) for cell in chapter["cells"] if cell["id"] in CELLS), own)
-    return own["contest"](scene, seed, runs, filters)
+    with redirect_stdout(StringIO()):
+        exec("\n".join("".join(cell["source"]) for cell in cells if cell["id"] in CELLS), own)
+    return own
 
 
 def at_once(scene: str, seed: int, runs: int) -> Contestant:

@@ -1,8 +1,9 @@
-"""Filters beside the right-invariant EKF: the same state, data and updates, but other errors, and other Jacobians.
+"""Filters beside the right-invariant EKF: the same state and data, but other errors, Jacobians or updates.
 
 They keep the covariance of phi and of the errors of positions themselves, delta_k = x_k - x_hat_k. A rotation of the
 world moves these by phi^ x_k, so Jacobians hold positions, and H at one estimate is blind to another motion of the
-world than H at the next: that is how an ordinary EKF learns what it cannot know (chapter ekf_slam). Three remedies.
+world than H at the next: that is how an ordinary EKF learns what it cannot know (chapter ekf_slam). Three remedies; and
+an update that is iterated, which is none.
 """
 
 from collections.abc import Mapping
@@ -133,3 +134,37 @@ class Fej2Ekf(FirstEstimatesEkf):
         rank = int((sizes > self.NEGLIGIBLE * np.linalg.norm(H, 2)).sum())
         U = directions[:, rank:]
         return U.T @ nu, U.T @ H, np.eye(len(nu) - rank)
+
+
+class IteratedEkf(OrdinaryEkf):
+    """The ordinary EKF, whose tangents of a frame's measurements are taken again where prior and measurements meet.
+
+    Gauss-Newton on |delta|_P^2 + |nu(delta)|_R^2, with |e|_R^2 = e' R^-1 e: each step is the EKF's update with H and nu
+    at the last delta, and nu + H delta in the place of nu. A step that makes the sum larger is halved. delta = P w, for
+    some w, so the sum needs no inverse of P. In space, rotations are composed to first order. Bell and Cathey, "The
+    iterated Kalman filter update as a Gauss-Newton method" (1993).
+    """
+
+    STEPS, SMALL = 50, 1e-6  # [m, rad]
+
+    def update(self, seen: Mapping[int, Array]) -> None:
+        """All measurements of landmarks of the map, at once."""
+        prior, P, w = (self.R, self.x), self.P, np.zeros(len(self.P))
+
+        def at(w: Array) -> tuple[float, Array, Array, Array]:
+            self.R, self.x = prior
+            self.retract(P @ w)
+            nu, H, noise = self.linearized(seen)
+            return float(w @ P @ w + nu @ np.linalg.solve(noise, nu)), nu, H, noise
+
+        cost, nu, H, noise = at(w)
+        for _ in range(self.STEPS):
+            step = H.T @ np.linalg.solve(H @ P @ H.T + noise, nu + H @ P @ w) - w
+            tried = at(w + step)
+            while tried[0] > cost and np.abs(P @ step).max() > self.SMALL:
+                step = step / 2
+                tried = at(w + step)
+            w, (cost, nu, H, noise) = w + step, tried
+            if np.abs(P @ step).max() < self.SMALL:
+                break
+        self.P = P - P @ H.T @ np.linalg.solve(H @ P @ H.T + noise, H @ P)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from slambook.error_coordinates import Fej2Ekf, FirstEstimatesEkf, OrdinaryEkf, TransportEkf
+from slambook.error_coordinates import Fej2Ekf, FirstEstimatesEkf, IteratedEkf, OrdinaryEkf, TransportEkf
 from slambook.invariant_ekf import (
     GENERATORS,
     RANGE_BEARING,
@@ -17,6 +17,8 @@ from slambook.invariant_ekf import (
     logarithm,
     squared_errors,
 )
+from slambook.report.planar import SCANNERS, drive
+from slambook.report.planar_invariant import PlanarFilter
 
 from book.experiments import error_coordinates as tool
 from slamlib.evaluation.consistency import band, share_inside
@@ -264,6 +266,55 @@ def shifted(seen: Mapping[int, Array], k: int) -> dict[int, Array]:
     """One number of all measurements larger by one."""
     d = len(next(iter(seen.values())))
     return {i: z + (np.arange(n * d, (n + 1) * d) == k) for n, (i, z) in enumerate(seen.items())}
+
+
+# The iterated update.
+
+
+@pytest.mark.parametrize("sensor", [RANGE_BEARING, RELATIVE_POSITION])
+def test_the_iterated_update_ends_at_the_minimum_with_the_covariance_there(sensor):
+    """Of the squares of prior and measurements; the ordinary update, as far from the measurements, does not."""
+    gradients = {}
+    for kind in (IteratedEkf, OrdinaryEkf):
+        before, filter = drawn(kind, 2, sensor), drawn(kind, 2, sensor)
+        before.P, filter.P, rng = 4 * before.P, 4 * filter.P, np.random.default_rng(7)
+        seen = {i: filter.predicted(i)[0] + 0.6 * rng.standard_normal(2) for i in filter.rows}
+        filter.update(seen)
+
+        def cost(delta, before=before, seen=seen):
+            other = moved(before, delta)
+            nu = other.linearized(seen)[0].reshape(-1, 2)
+            return delta @ np.linalg.solve(before.P, delta) + np.sum(nu @ np.linalg.inv(before.noise) * nu)
+
+        there = error_of(filter, before)
+        slope = differences(lambda e, cost=cost, there=there: np.array([cost(there + e)]), len(there))[0]
+        gradients[kind] = np.abs(slope @ np.linalg.cholesky(before.P)).max()
+        if kind is IteratedEkf:
+            _, H, noise = moved(before, there).linearized(seen)
+            information = np.linalg.inv(before.P) + H.T @ np.linalg.solve(noise, H)
+            np.testing.assert_allclose(filter.P, np.linalg.inv(information), atol=1e-8)
+    assert gradients[IteratedEkf] < 1e-3 < 1e-2 < gradients[OrdinaryEkf]
+
+
+class Restless(IteratedEkf):
+    """Notes how far one more step of the iteration would lead."""
+
+    def update(self, seen: Mapping[int, Array]) -> None:
+        before, P = moved(self, np.zeros(len(self.P))), self.P
+        super().update(seen)
+        delta, (nu, H, noise) = error_of(self, before), self.linearized(seen)
+        again = P @ H.T @ np.linalg.solve(H @ P @ H.T + noise, nu + H @ delta)
+        self.left = [*getattr(self, "left", []), np.abs(again - delta).max()]
+
+
+def test_the_iteration_comes_to_rest_where_whole_steps_go_back_and_forth():
+    """A lap by sonar, whose loop closes with a heading off by tens of degrees."""
+    data = drive(np.random.default_rng(3), 60, **SCANNERS["coarse scanner"])
+    slam = PlanarFilter(data, Restless)
+    for u, scan in zip(data.odometry, data.scans[1:], strict=True):
+        slam.step(u, scan)
+    assert len(slam.filter.left) > 50
+    assert max(slam.filter.left) < 1e-5  # with whole steps alone more than a metre
 
 
 # Two filters, one of them slamlib's.
