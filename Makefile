@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates invariant-nees predictions many-maps rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates plane-filters invariant-nees predictions many-maps rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -125,6 +125,9 @@ other-filters: environment  ## run the comparison of filters of chapter other_fi
 
 error-coordinates: environment  ## run the right-invariant EKF beside other filters, and store their figures (long; resumable)
 	@$(BIN)/python -m book.experiments.error_coordinates
+
+plane-filters: environment  ## run the filters from scratch of chapter ekf_slam on 400 runs, and store their NEES
+	@$(BIN)/python -m book.experiments.plane_filters
 
 predictions: environment  ## run what chapter many says of predictions by reported steps, and store its figures (resumable)
 	@$(BIN)/python -m book.experiments.predictions

@@ -59,7 +59,7 @@ def test_a_run_of_chapter_ekf_slam_comes_out_again(stored):
         comes_out_again(found, [row["own"][column][0] for column in ("linear", "log", "rms")], RENEW)
     lines = (layout.BOOK / "chapters" / "data" / "plane_filters.csv").read_text().splitlines()[1:]
     theirs = {int(row["seed"]): row for row in csv.DictReader(lines)}
-    for name, their_name in (("EKF", "PlaneSlam"), ("first estimates", "FirstEstimates")):
+    for name, their_name in (("EKF", "PlaneSlam"), ("first estimates", "FirstEstimates"), ("RI-EKF", "Invariant")):
         for number, rows in stored["chapter ekf_slam"].items():
             ours = rows[name]["own"]["linear"]
             wanted = [float(theirs[int(number) + k][their_name]) for k in range(len(ours))]
@@ -125,3 +125,12 @@ def test_stored_claim_most_of_what_the_sonars_map_lost_was_the_choice_of_error(s
         assert ekf - invariant > 0.8 * (ekf - whole)
         assert rows["EKF"]["inside"] < 0.45
         assert rows["RI-EKF"]["inside"] > 0.85
+
+
+def test_stored_claim_better_tangents_alone_do_not_mend_the_sonars_map(stored):
+    for rows in stored[f"drives, {tool.COARSE}"].values():
+        for name in ("secants", "iterated"):
+            assert rows[name]["linear"]["mean"] > 12
+            assert rows[name]["map_rmse"] > 0.85 * rows["EKF"]["map_rmse"]
+            assert rows[name]["inside"] < 0.45
+            assert rows["RI-EKF"]["linear"]["mean"] < 5
