@@ -19,7 +19,6 @@ from book.live import opencv
 from slamlib.errors import SlamlibError
 
 ROOT = Path(__file__).parents[2]
-BY_ASSERTION = {"other_filters"}  # its exercises are checked in their own cells
 CHECK = re.compile(r"""^check\("(\w+\.\d+)", (\w+)\)""", re.MULTILINE)
 pytestmark = pytest.mark.skipif(not (ROOT / "book").is_dir(), reason="the book is not beside the package")
 
@@ -286,7 +285,7 @@ def signature(source, name):
 def test_every_checked_exercise_has_a_live_cell_with_its_signature_and_nothing_else(chapter):
     stubs = {m[1]: (m[2], s) for s in code_cells(chapter, "exercise") for m in CHECK.finditer(s)}
     solved = {m[1]: (m[2], s) for s in code_cells(chapter, "solution") for m in CHECK.finditer(s)}
-    assert len(stubs) >= (3 if chapter.parent.name == "chapters" and chapter.stem not in BY_ASSERTION else 0)
+    assert len(stubs) >= (3 if chapter.parent.name == "chapters" else 0)
     assert set(stubs) == set(solved)
     for number, (checked, source) in stubs.items():
         name, arguments, statements = signature(source, checked)
