@@ -192,8 +192,9 @@ def points_and_lines() -> Preset:
 def right_invariant() -> Preset:
     """`points` with a covariance that claims no more than can be known, in one batch update a frame.
 
-    Points become Euclidean ones as ever: with this error the filter stays as consistent, and has four numbers less a
-    point. With error="local" it does not, where the start is less certain than the sensor (`make conversion`).
+    Points become Euclidean ones as ever: here the filter with this error stays as consistent, and has four numbers less
+    a point. With error="local" it does not, where the start is less certain than the sensor; and in `points_and_lines`,
+    where the scale is biased, with neither (`make conversion`).
     """
     options = replace(points().options, error="world", reproject=False)
     return replace(points(), name="right_invariant", options=options)
