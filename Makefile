@@ -9,7 +9,7 @@ NUMPY ?= 1.25.*
 REVIEW := _build/review
 export OPENBLAS_NUM_THREADS := 1
 
-.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates plane-filters invariant-nees predictions many-maps rosetta generate tangle untangle notebooks format lock clean
+.PHONY: help book pdf serve lab instructor platforms test test-all quick oldest mutants review chapter environment assets parity experiments audit monocular starts conversion measurement-errors real-images real-sequences visual-odometry stereo-slam report-experiments other-filters absolute-measurements error-coordinates plane-filters invariant-nees presets-by-both-errors predictions many-maps rosetta generate tangle untangle notebooks format lock clean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 20
@@ -119,6 +119,9 @@ absolute-measurements: environment  ## run GPS beside landmarks by filters that 
 
 invariant-nees: environment  ## run starts whose orientation is vague, judged by both errors, for chapter observability
 	@$(BIN)/python -m book.experiments.invariant_nees
+
+presets-by-both-errors: environment  ## judge the runs of `make experiments` by the invariant error, too (resumable; ARGS="--runs 100")
+	@$(BIN)/python -m book.experiments.presets_by_both_errors $(ARGS)
 
 other-filters: environment  ## run the comparison of filters of chapter other_filters, and store its figures (long)
 	@$(BIN)/python -m book.experiments.other_filters

@@ -12,11 +12,11 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from slambook.filters_compared import ALL_DATA, FILTERS, poses
+from slambook.filters_compared import ALL_DATA, FILTERS, nees_by_error
 
 from book.experiments import consistency, stored
 from book.tools import layout
-from slamlib.evaluation.pose_errors import ERRORS, pose_nees
+from slamlib.evaluation.pose_errors import ERRORS
 from slamlib.experiments.monte_carlo import seeds
 from slamlib.experiments.presets import Preset, five_minutes
 from slamlib.manifolds import Array
@@ -47,17 +47,8 @@ def filters(case: str) -> tuple[str, ...]:
 
 
 def both(preset: Preset, seed: int, name: str) -> dict[str, Array]:
-    """NEES (n,) of the first robot's pose in one run by this filter, of each of ERRORS.
-
-    The oracle's covariance is written in the coordinates at the truth, the others' in those at the estimate.
-    """
-    true, estimates, covariances = (found[:, 0] for found in poses(preset, seed, name))
-    pair = (estimates, true) if name == "oracle" else (true, estimates)  # a sign, which a square does not see
-    free = preset.rig.robots[0].model.free
-    return {
-        error: np.array([pose_nees(e, P, free)[0] for e, P in zip(of(*pair), covariances, strict=True)])
-        for error, of in ERRORS.items()
-    }
+    """NEES (n,) of the first robot's pose in one run by this filter, of each of ERRORS."""
+    return {error: nees[:, 0] for error, nees in nees_by_error(preset, seed, name).items()}
 
 
 def first_frames(case: str, name: str) -> dict[str, Any]:

@@ -15,8 +15,9 @@ import numpy as np
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
 from slamlib.entities import RigSensor
+from slamlib.evaluation import pose_errors
 from slamlib.evaluation.consistency import band, nees_in_range, share_inside
-from slamlib.evaluation.pose_errors import UNITS
+from slamlib.evaluation.pose_errors import UNITS, pose_nees
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
@@ -106,6 +107,24 @@ def _smoothed(smoother: Smoother, frames: int) -> tuple[Array, Array]:
     return found.poses, np.stack([found.covariance(np.arange(frames), robot) for robot in robots], axis=1)
 
 
+def nees_by_error(preset: Preset, seed: int, name: str) -> dict[str, Array]:
+    """NEES (n, r) of each robot's pose in one run by this name, of each of `pose_errors.ERRORS`.
+
+    The oracle's covariance is written in the coordinates at the truth, the others' in those at the estimate.
+    """
+    true, estimates, covariances = poses(preset, seed, name)
+    pair = (estimates, true) if name == "oracle" else (true, estimates)  # a sign, which a square does not see
+    free = [robot.model.free for robot in preset.rig.robots]
+
+    def of_frame(errors: Array, P: Array) -> list[float]:
+        return [pose_nees(*own)[0] for own in zip(errors, P, free, strict=True)]
+
+    return {
+        error: np.array([of_frame(*each) for each in zip(of(*pair), covariances, strict=True)])
+        for error, of in pose_errors.ERRORS.items()
+    }
+
+
 def run(preset: Preset, seed: int, name: str) -> dict[str, Array]:
     """One run: nees (n, r) of each robot; the others of the first robot, at each step.
 
@@ -183,3 +202,21 @@ class Verdict:
 def stacked(rows: Sequence[dict[str, Array]], name: str) -> Array:
     """One column of many runs, (k, n, ...)."""
     return np.array([row[name] for row in rows])
+
+
+def rows_of_both_errors(found: dict[str, Any], cases: Sequence[str]) -> list[Any]:
+    """Rows of a table of cases, each by its filters, of what `book.experiments.presets_by_both_errors` stores.
+
+    A row: name, mean NEES of the linear error and its standard error in each set of seeds, the same of the invariant
+    error, and of this the median of the runs and the share of failed ones. Above them the case, and how many runs.
+    """
+    rows: list[Any] = []
+    for case in cases:
+        of_case = dict(found[case])
+        rows.append(f"{case}, 2 x {of_case.pop('runs')} runs")
+        for name, by_error in of_case.items():
+            sets = [np.array(own) for error in pose_errors.ERRORS for own in by_error[error]]
+            means = [f"{own.mean():.2f} ± {own.std(ddof=1) / np.sqrt(len(own)):.2f}" for own in sets]
+            own = np.concatenate(by_error["invariant"])
+            rows.append([name, *means, float(np.median(own)), float((own > chi2_quantile(0.95, DOF)).mean())])
+    return rows

@@ -66,6 +66,9 @@ AGAIN = {
         "book/tests/test_stored_predictions.py::test_the_first_runs_come_out_again",
         "book/tests/test_stored_predictions.py::test_a_run_by_all_data_at_once_comes_out_again",
     ],
+    f"{DATA}/presets_by_both_errors.json": [
+        "book/tests/test_stored_presets_by_both_errors.py::test_a_whole_run_comes_out_again",
+    ],
     f"{DATA}/real_sequences.json": [
         "book/tests/test_stored_real_sequences.py::test_the_errors_of_a_stored_path_come_out_again",
     ],
