@@ -129,7 +129,7 @@ other-filters: environment  ## run the comparison of filters of chapter other_fi
 error-coordinates: environment  ## run the right-invariant EKF beside other filters, and store their figures (long; resumable)
 	@$(BIN)/python -m book.experiments.error_coordinates
 
-plane-filters: environment  ## run the filters from scratch of chapter ekf_slam on 400 runs, and store their NEES
+plane-filters: environment  ## run the filters from scratch of chapter ekf_slam, and all data at once, on 400 runs
 	@$(BIN)/python -m book.experiments.plane_filters
 
 predictions: environment  ## run what chapter many says of predictions by reported steps, and store its figures (resumable)
