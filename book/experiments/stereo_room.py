@@ -1,5 +1,6 @@
 """slamlib's stereo system in the rendered room, for chapter stereo_ekf_slam: sources of the motion, and loops."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -22,8 +23,9 @@ from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSourc
 
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d: generous, NIS per number of the films is 0.15 to 0.34
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
-ROUND, ROUND_SEEDS, EVERY, WINDOW = 900, (1, 2), 15, 60  # frames
-TURN_SEEDS, INTERVALS, MOTIONS = range(1, 11), (1, 10), ("constant-velocity", "covariance-intersection")
+ROUND, ROUND_SEEDS, EVERY = 900, (1, 2), 15  # frames
+TURN_SEEDS, OTHER_SEEDS = range(1, 11), range(11, 13)
+ERRORS, MOTIONS, INTERVALS = ("local", "world"), ("constant-velocity", "covariance-intersection"), (1, 10)
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
 
@@ -59,12 +61,13 @@ def film(path: str, frames: int, seed: int) -> Film:
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Of each pair after the first: error of the pose (n, 6), NEES (n,), positions (n, 3), true and estimated [m]."""
+    """Of each pair after the first: error of the pose (n, 6), its covariance (n, 6, 6), NEES (n,), true positions
+    (n, 3) [m]."""
 
     errors: Array
+    covariances: Array
     nees: Array
     true: Array
-    found: Array
     nis: float
     landmarks: int
     old: list[int]
@@ -130,7 +133,7 @@ def run(film: Film, chosen: Way, options: Options = OPTIONS, at_once: bool = Fal
         best = smoother.solve()
         estimates.append([best.poses[1:, 0], best.covariance(np.arange(1, len(pairs)))])
     return [
-        Run(errors := Pose.minus(true, found), nees(errors, P), true[:, :3], found[:, :3], fit, size, old)
+        Run(errors := Pose.minus(true, found), P, nees(errors, P), true[:, :3], fit, size, old)
         for found, P in estimates
     ]
 
@@ -143,7 +146,8 @@ def odometry(film: Film) -> dict[str, float]:
     images = (frame.scans[0].image for frame, _ in pairs)
     found = np.array([pose for pose, _ in stereo_films.odometry(source, images, real[0])])
     errors = np.array([Pose.minus(a, b) for a, b in zip(real, found, strict=True)])[1:]
-    return Run(errors, np.zeros(len(errors)), real[1:, :3], found[1:, :3], 0.0, 0, []).row
+    nothing = np.zeros((len(errors), 6, 6))
+    return Run(errors, nothing, np.zeros(len(errors)), real[1:, :3], 0.0, 0, []).row
 
 
 def ways() -> dict[str, Any]:
@@ -170,43 +174,45 @@ def light() -> list[dict[str, float]]:
     return [made.row for made in run(film("sideways", LIGHT, SEEDS[0]), WAYS["in turns"], at_once=True)]
 
 
+def beginning() -> list[dict[str, Any]]:
+    """Once round, the first pairs of the first film by each of the eight filters, which a test runs again."""
+    return turned(film("round", LIGHT, TURN_SEEDS[0]))
+
+
 def around() -> dict[str, Any]:
-    """Once round: all landmarks kept, and its data at once; with a window; with all matches in every frame."""
-    runs = {
-        "full": ("in turns", OPTIONS),
-        "windowed": ("in turns", replace(OPTIONS, window=WINDOW)),
-        "every frame": ("constant-velocity", OPTIONS),
-    }
-    found: dict[str, Any] = {"frames": ROUND, "window": WINDOW, **{name: [] for name in [*runs, "all data"]}}
-    stored = slice(0, None, EVERY)
+    """Once round by constant velocity, the figure's runs: errors and claimed deviations of the position [m]."""
+    found: dict[str, Any] = {"frames": ROUND, "every": EVERY, "runs": []}
     for seed in progress(ROUND_SEEDS, len(ROUND_SEEDS), "round the room"):
         pairs = film("round", ROUND, seed)
-        for kind, (name, options) in runs.items():
-            for by, made in zip((kind, "all data"), run(pairs, WAYS[name], options, kind == "full"), strict=False):
-                found[by].append({
-                    **made.row,
-                    "old": made.old[stored],
-                    "nees": np.round(made.nees[stored] / 6, 2).tolist(),
-                    "quarters": [round(float(q.mean()) / 6, 2) for q in np.array_split(made.nees, 4)],
-                    **{n: np.round(x[stored], 5).tolist() for n, x in (("place", made.found), ("true", made.true))},
-                })  # fmt: skip
+        for error, interval in product(ERRORS, INTERVALS):
+            (made,) = run(pairs, Way(MOTION_SOURCES[MOTIONS[0]], interval), replace(OPTIONS, error=error))
+            found["path"] = made.row["path"]
+            away = np.linalg.norm(made.errors[::EVERY, :3], axis=1)
+            claimed = np.sqrt(np.trace(made.covariances[::EVERY, :3, :3], axis1=1, axis2=2))
+            found["runs"].append({"error": error, "interval": interval, "away": away, "claimed": claimed, **laps(made)})
     return found
 
 
-def turns() -> list[dict[str, Any]]:
-    """Once round the room by two sources of the motion, landmarks in each pair or in one of ten, by three estimates."""
+def turns(seeds: Sequence[int], at_once: bool = False) -> list[dict[str, Any]]:
+    """Films once round the room, by each of the eight filters, and, at_once, by all data, too."""
     found = []
-    for seed in progress(TURN_SEEDS, len(TURN_SEEDS), "two by two, twice"):
-        pairs = film("round", ROUND, seed)
-        for error, motion, interval in product(("local", "world"), MOTIONS, INTERVALS):
-            way, at_once = Way(MOTION_SOURCES[motion], interval), error == "world" and interval > 1
-            made = run(pairs, way, replace(OPTIONS, error=error), at_once)
-            for by, one in zip((error, "all data"), made, strict=False):
-                found.append({"error": by, "motion": motion, "interval": interval, **turned(one)})
+    for seed in progress(seeds, len(seeds), "two by two, twice"):
+        found += turned(film("round", ROUND, seed), at_once)
     return found
 
 
-def turned(made: Run) -> dict[str, Any]:
+def turned(pairs: Film, at_once: bool = False) -> list[dict[str, Any]]:
+    """A film by two errors, two sources of the motion, landmarks in each pair or in one of ten; and at once."""
+    found = []
+    for error, motion, interval in product(ERRORS, MOTIONS, INTERVALS):
+        smoothed = at_once and error == "world" and interval > 1
+        made = run(pairs, Way(MOTION_SOURCES[motion], interval), replace(OPTIONS, error=error), smoothed)
+        for by, one in zip((error, "all data"), made, strict=False):
+            found.append({"error": by, "motion": motion, "interval": interval, **laps(one)})
+    return found
+
+
+def laps(made: Run) -> dict[str, Any]:
     """Of a run once round: errors in per cent of the path, NEES / 6 by quarters, most old landmarks of a late pair."""
     quarters = [float(q.mean()) / 6 for q in np.array_split(made.nees, 4)]
     return {"rms": made.row["rms"], "end": made.row["end"], "quarters": quarters, "old": max(made.old[-200:])}

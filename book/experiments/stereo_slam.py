@@ -90,14 +90,16 @@ def _without_times(value: Any) -> Any:
 
 
 PARTS: dict[str, Callable[[], Any]] = {
+    "beginning": lambda: stored.plain(stereo_room.beginning()),
     "light": stereo_room.light,
     "opencv": lambda: stored.plain(_without_times(opencv_stereo.at_hand(["street"]))) or None,
     "repairs": repairs,
-    "round": stereo_room.around,
+    "round": lambda: stored.plain(stereo_room.around()),
     "sequences": sequences,
     "street": street,
     "tuning": tuning,
-    "turns": lambda: stored.plain(stereo_room.turns()),
+    "turns": lambda: stored.plain(stereo_room.turns(stereo_room.TURN_SEEDS, at_once=True)),
+    "turns, other seeds": lambda: stored.plain(stereo_room.turns(stereo_room.OTHER_SEEDS)),
     "ways": stereo_room.ways,
 }
 

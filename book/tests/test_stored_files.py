@@ -78,6 +78,7 @@ AGAIN = {
         "book/tests/test_stored_stereo_slam.py::test_the_last_repairs_come_out_again",
         "book/tests/test_stored_stereo_slam.py::test_a_row_of_wrong_covariances_comes_out_again",
         "book/tests/test_stored_stereo_slam.py::test_the_beginning_of_a_run_in_the_room_comes_out_again",
+        "book/tests/test_stored_stereo_slam.py::test_the_beginning_once_round_comes_out_again_by_each_of_the_eight_filters",
     ],
     f"{DATA}/visp_cube_run.json": [
         "book/tests/test_stored_monocular.py::test_what_the_two_references_agree_to_comes_out_again",

@@ -48,12 +48,61 @@ def test_the_beginning_of_a_run_in_the_room_comes_out_again(stored):
     comes_out_again(stereo_room.light(), stored["light"], RENEW, share=2e-3)
 
 
-def test_stored_claim_a_landmark_in_every_pair_closes_the_loop_by_the_right_invariant_error_alone(stored):
-    closed = dict.fromkeys(("local", "world"), 0)
-    for row in stored["turns"]:
-        if row["interval"] == 1:
-            closed[row["error"]] += row["old"] > 0
-    assert closed == {"local": 1, "world": 20}
+def test_the_beginning_once_round_comes_out_again_by_each_of_the_eight_filters(stored):
+    """Ten pairs of a film; the file has films of 900."""
+    pytest.importorskip("cv2")
+    comes_out_again(stereo_room.beginning(), stored["beginning"], RENEW, share=2e-3)  # as below
+
+
+SETS = {"turns": stereo_room.TURN_SEEDS, "turns, other seeds": stereo_room.OTHER_SEEDS}
+
+
+def runs(stored, error, interval, motions=stereo_room.MOTIONS):
+    """The runs of both sets by one error and one interval, by these sources of the motion."""
+    rows = [row for name in SETS for row in stored[name] if row["motion"] in motions]
+    return [row for row in rows if (row["error"], row["interval"]) == (error, interval)]
+
+
+def test_form_of_both_sets_is_a_run_of_each_filter_for_each_film(stored):
+    for name, seeds in SETS.items():
+        ways = {(row["error"], row["motion"], row["interval"]) for row in stored[name]}
+        assert len(stored[name]) == len(ways) * len(seeds), RENEW
+        assert len([way for way in ways if way[0] != "all data"]) == 8
+
+
+def test_form_of_the_figures_runs_is_that_of_the_same_films_in_the_table(stored):
+    for error in stereo_room.ERRORS:
+        for interval in stereo_room.INTERVALS:
+            rows = runs(stored, error, interval, stereo_room.MOTIONS[:1])
+            wanted = [row for row in stored["round"]["runs"] if (row["error"], row["interval"]) == (error, interval)]
+            assert len(wanted) == len(stereo_room.ROUND_SEEDS)
+            for drawn, row in zip(wanted, rows, strict=False):
+                comes_out_again({name: drawn[name] for name in ("rms", "end", "quarters", "old")},
+                                {name: row[name] for name in ("rms", "end", "quarters", "old")}, RENEW)  # fmt: skip
+
+
+def test_stored_claim_one_pair_in_ten_or_the_right_invariant_error_closes_every_loop(stored):
+    for error, interval in (("local", 10), ("world", 1), ("world", 10)):
+        assert all(row["old"] > 0 for row in runs(stored, error, interval))
+    films = len(SETS["turns"]) + len(SETS["turns, other seeds"])
+    closed = [row["old"] > 0 for row in runs(stored, "local", 1)]
+    assert len(closed) == 2 * films
+    assert sum(closed) < films / 5
+    assert not any(row["old"] > 0 for row in runs(stored, "local", 1, stereo_room.MOTIONS[:1]))
+
+
+def test_stored_claim_red_and_green_claim_the_same_before_the_return_and_red_errs_more(stored):
+    at = slice(700 // stereo_room.EVERY, 780 // stereo_room.EVERY)  # pairs, before the first landmarks come back
+    by = {key: [row for row in stored["round"]["runs"] if (row["error"], row["interval"]) == key]
+          for key in (("local", 1), ("world", 1), ("local", 10))}  # fmt: skip
+    for red, green, blue in zip(*by.values(), strict=True):
+        claims = [np.mean(row["claimed"][at]) for row in (red, green, blue)]
+        errors = [np.mean(row["away"][at]) for row in (red, green, blue)]
+        assert claims[1] == pytest.approx(claims[0], rel=0.05)
+        assert 0.008 < claims[0] < 0.009 < 3 * claims[0] < claims[2]
+        assert 0.03 < errors[0] < 0.04
+        assert errors[0] > 1.7 * errors[1]
+        assert errors[2] < claims[2]
 
 
 def test_stored_claim_all_data_at_once_are_nearer_on_the_way_in_every_film(stored):
@@ -63,12 +112,6 @@ def test_stored_claim_all_data_at_once_are_nearer_on_the_way_in_every_film(store
     }
     assert len(rms["world"]) == len(rms["all data"]) == 20
     assert all(ours < filters for ours, filters in zip(rms["all data"], rms["world"], strict=True))
-
-
-def test_stored_claim_once_round_all_data_have_the_filters_matches_and_half_its_error(stored):
-    for best, own in zip(stored["round"]["all data"], stored["round"]["full"], strict=True):
-        assert (best["old"], best["landmarks"], best["true"]) == (own["old"], own["landmarks"], own["true"])
-        assert best["rms"] < own["rms"] / 2
 
 
 def test_stored_claim_on_the_street_all_data_at_once_are_as_good_as_the_filter(stored):
