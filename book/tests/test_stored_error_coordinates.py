@@ -102,6 +102,8 @@ def test_stored_claim_first_estimates_are_better_in_a_typical_run_and_ruin_a_few
         for number in ("mean", "error"):
             worse = values(stored, setting, "first estimates", number=number)
             assert (worse > values(stored, setting, "EKF", number=number)).all()
+        means, errors = (values(stored, setting, "first estimates", number=number) for number in ("mean", "error"))
+        assert (means - values(stored, setting, "EKF", number="mean") < 1.5 * errors).all()
 
 
 def test_stored_claim_the_correction_needs_landmarks_in_view(stored):
@@ -134,3 +136,11 @@ def test_stored_claim_better_tangents_alone_do_not_mend_the_sonars_map(stored):
             assert rows[name]["map_rmse"] > 0.85 * rows["EKF"]["map_rmse"]
             assert rows[name]["inside"] < 0.45
             assert rows["RI-EKF"]["linear"]["mean"] < 5
+
+
+def test_stored_claim_with_the_sonar_the_transport_is_a_little_worse_in_most_drives(stored):
+    for rows in stored[f"drives, {tool.COARSE}"].values():
+        for column in ("linear", "map_rmse"):
+            transport, exact = (np.array(rows[name]["own"][column]) for name in ("transport", "RI-EKF"))
+            assert np.mean(transport > exact) > 0.6
+            assert abs(np.mean(transport - exact)) < np.mean(exact) / 8
