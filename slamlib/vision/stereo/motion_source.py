@@ -138,9 +138,9 @@ class CovarianceIntersection(SplitFeatures):
 
 
 class CorrelatedFeatures(SplitFeatures):
-    """All features for both, their cross-correlation modelled: linearized at the motion of all of them, the control has
-    the covariance of those that do not update the map, as the others tell nothing more (slamlib.tests.shared_noise has
-    the proof). A feature reserved for the control is no landmark's measurement, and initializes none.
+    """All features for both, their cross-correlation modelled: started at the motion of all of them, the control is
+    that of those that do not update the map, as the others tell nothing more (slamlib.tests.shared_noise has the
+    proof). A feature reserved for the control is no landmark's measurement, and initializes none.
     """
 
     name = "correlated"
