@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, Protocol
 
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Manifold
-from slamlib.models import Formula, Model
+from slamlib.models import Formula, Jacobians, Model
 
 
 class Wanted(NamedTuple):
@@ -42,6 +42,8 @@ class Moved(Protocol):
     def __call__(self, motion: Array, state: Array, /) -> Array: ...
 
     def jac_where(self, motion: Array, state: Array, /) -> Array: ...
+
+    def jac(self, motion: Array, state: Array, /) -> tuple[Array, Jacobians]: ...
 
     def __hash__(self) -> int: ...
 

@@ -52,5 +52,15 @@ class Parts:
         """(..., dof, 6): its Jacobian with respect to the motion, where that is `motion` (7,)."""
         return np.concatenate([part.jac_where(motion, own) for part, own in self._split(state)], axis=-2)
 
+    def jac(self, motion, state):
+        """The state after a motion, and its Jacobians: (..., dof, 6) by the motion, (..., dof, dof) by the state."""
+        values, jacobians = zip(*(part.jac(motion, own) for part, own in self._split(state)), strict=True)
+        by_motion, by_part = zip(*jacobians, strict=True)
+        ends = np.cumsum([own.shape[-1] for own in by_part])
+        by_state = np.zeros((*by_part[0].shape[:-2], ends[-1], ends[-1]))
+        for end, own in zip(ends, by_part, strict=True):
+            by_state[..., end - own.shape[-1] : end, end - own.shape[-1] : end] = own
+        return np.concatenate(values, axis=-1), (np.concatenate(by_motion, axis=-2), by_state)
+
     def _split(self, state):
         return zip(self.parts, np.split(np.asarray(state), self.stops, axis=-1), strict=True)

@@ -167,10 +167,11 @@ Following = tuple[Indices, Indices, Array]  # rows (k, a), rows (k, b), F (k, b,
 
 
 class Carry(NamedTuple):
-    """A change of the coordinates of errors, T = (I + C L E) (I + D); E picks `rows`, which D leaves as they are.
+    """A change of the coordinates of errors, T = (I + C L E) (I + D_n) ... (I + D_1); E picks `rows`.
 
-    rows (k,) of the covariance, C (n, r), L (r, k). following: in D, some rows follow others near them: to the errors
-    of rows (k, b) it adds F times those of rows (k, a), which it leaves as they are.
+    rows (k,) of the covariance, C (n, r), L (r, k). following: in each D some rows follow others near them: to the
+    errors of rows (k, b) it adds F times those of rows (k, a). These may be the same: blocks that become I + F times
+    what they were.
     """
 
     rows: Indices

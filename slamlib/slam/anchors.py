@@ -5,6 +5,7 @@ tells these states apart, and what is gained on an anchor is gained on the robot
 N, some for each landmark. Chapter observability, "A symmetry of each landmark's own".
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +31,14 @@ class AnchoredRows:
     def following(self, before: "AnchoredRows") -> Following:
         """What the rest follows by more than it did: where the errors of the means before are taken to these means."""
         return self.anchors, self.rest, self.F - before.F
+
+    def turned(self, turned: Sequence[Following]) -> "AnchoredRows":
+        """The same of errors that each landmark's own I + G has multiplied: (I + G) (I, F) spans what (I, F) did."""
+        own = {int(at[0, 0]): G for at, _, G in turned}[int(self.anchors[0, 0])]
+        a = self.anchors.shape[1]
+        S = np.concatenate([np.broadcast_to(np.eye(a), (len(self.F), a, a)), self.F], axis=1)
+        S = S + own @ S
+        return AnchoredRows(self.anchors, self.rest, S[:, a:] @ left_inverse(S[:, :a]))
 
 
 def anchored_rows(state: State) -> list[AnchoredRows]:

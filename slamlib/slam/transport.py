@@ -3,6 +3,7 @@
 A small motion of the world adds N (tau, phi) to the errors of all blocks, and no measurement of landmarks notices:
 H N = 0. But N depends on the means, and after an update the next H has another one. So errors that were a motion of the
 world are made one of the new means: the covariance is that of the right-invariant error (Barrau and Bonnabel 2017).
+Where an absolute measurement turns the whole world, the rest of the errors turns with it.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -15,7 +16,7 @@ import numpy as np
 from slamlib.entities import RigSensor, Robot, State
 from slamlib.entities.unobservable import Movable, check_moved, generator
 from slamlib.geometry.pose import ORIGIN, compose, exponential
-from slamlib.kalman.linalg import Carry, left_inverse
+from slamlib.kalman.linalg import Carry, Following, left_inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
 from slamlib.slam.anchors import AnchoredRows, anchored_rows
@@ -112,25 +113,32 @@ def told(state: State, robot: Robot, anchored: Anchored = no_anchors) -> Iterato
     Such a measurement may tell where the world lies (H N is not 0). So its step holds a motion m = L step of the world,
     which all means make together, as one rigid motion exp(m) of any size; each block adds only what is left of the
     step, step - N m. L reads m from the errors of this robot. Chapter observability, eq. (ob-screw).
+
+    What is no motion of the world in the errors turns with it: N(before) d + r becomes N(after) d + M r, M the Jacobian
+    of each moved block by what it was. Eq. (ob-rest).
     """
     N, rows, free = generators(state), robot.columns, directions(state)
-    L = left_inverse(N[rows])
-    kinds: dict[int, Movable] = {id(own.block): own.motion for own in state.robots}
-    kinds |= {id(landmark.block): landmark.kind for landmark in state.landmarks}
+    L, turned = left_inverse(N[rows]), list[Following]()
+    movable: list[tuple[Movable, Indices, list[Block]]] = [  # extrinsics are in no world
+        *((own.motion, np.arange(N.shape[0])[None, own.block.slice], [own.block]) for own in state.robots),
+        *((group.kind, group.rows, [landmark.block for landmark in group.landmarks]) for group in state.kinds()),
+    ]
 
     def retract(blocks: Sequence[Block], step: Array) -> list[Array]:
         m = L @ step[rows]
         motion, left = exponential(free @ m), step - N @ m
-        means = [block.manifold.plus(block.mean, left[block.slice]) for block in blocks]
-        return [
-            check_moved(kinds[id(block)])(motion, mean) if id(block) in kinds else mean  # extrinsics are in no world
-            for block, mean in zip(blocks, means, strict=True)
-        ]
+        means = {block: block.manifold.plus(block.mean, left[block.slice]) for block in blocks}
+        turned.clear()
+        for kind, at, own in movable:
+            there, J = check_moved(kind).jac(motion, np.array([means[block] for block in own]))
+            means.update(zip(own, there, strict=True))
+            turned.append((at, at, J[1] - np.eye(at.shape[1])))
+        return list(means.values())
 
     belief = state.belief
     usual, belief.retraction = belief.retraction, retract
     try:
-        with _followed(state, partial(generators, state), N, rows, L, anchored, anchored(state)):
+        with _followed(state, partial(generators, state), N, rows, L, anchored, anchored(state), turned):
             yield
     finally:
         belief.retraction = usual
@@ -145,24 +153,34 @@ def _followed(
     motion: Array,
     anchored: Anchored,
     own: list[AnchoredRows],
+    turned: Sequence[Following] = (),
 ) -> Iterator[None]:
-    """Within the block an update of the covariance ends with T P T', T = (I + C L) (I + D).
+    """Within the block an update of the covariance ends with T P T', T = (I + C L) (I + D) M.
 
     C = N(after) - N(before) - D N(before), and D, of the anchored landmarks, own before and the same after, takes
     each anchor's shift to the rest of its landmark: so T N(before) = N(after), and T S(before) = S(after).
+
+    turned: where the update turned the world, M = I + this, block by block, comes first; all that was before is then
+    taken of M's errors: M N(before) for N(before), L (M N(before)) = I, and (I, F) that spans M S(before).
     """
     belief = state.belief
 
     def carry() -> Carry | None:
-        change = unobservable_now() - before
-        following = [now.following(then) for now, then in zip(anchored(state), own, strict=True)]
+        then, read, anchors = before, motion, own
+        if turned:
+            then, anchors = before.copy(), [each.turned(turned) for each in own]
+            for at, _, G in turned:
+                then[at] += G @ before[at]
+            read = left_inverse(then[rows])
+        change = unobservable_now() - then
+        following = [after.following(each) for after, each in zip(anchored(state), anchors, strict=True)]
         for at, rest, F in following:
-            change[rest] -= F @ before[at]
+            change[rest] -= F @ then[at]
         # A translation of the world adds the same to a point or a pose anywhere: such columns do not change.
         moved = np.ones(len(change)) @ np.abs(change) > 0  # quicker than change.any(axis=0)
         if not moved.any() and not following:
             return None
-        return Carry(rows, change[:, moved], np.asarray(motion[moved], float), following)
+        return Carry(rows, change[:, moved], np.asarray(read[moved], float), [*turned, *following])
 
     belief.transport = carry
     try:

@@ -1,24 +1,28 @@
 """What tells where the world lies (GPS, a compass, meetings), in a filter that keeps the right-invariant error.
 
-Chapter observability, eqs. (ob-told) and (ob-screw).
+Chapter observability, eqs. (ob-told), (ob-screw) and (ob-rest).
 """
 
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from slamlib.checks.jacobian import check_jacobian
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.geometry.pose import Pose, exponential, from_frame, to_frame
+from slamlib.kalman.linalg import Carry
 from slamlib.landmarks import LINES, POINTS
 from slamlib.models import model
 from slamlib.motions import MOTIONS
 from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
+from slamlib.slam import transport
 from slamlib.slam.snapshot import robot_view
-from slamlib.slam.transport import generator, generators
+from slamlib.slam.transport import generator, generators, left_inverse, told
 from slamlib.tests import test_plane_maps
 from slamlib.tests.test_transport import run, with_landmark, with_options
 
@@ -90,6 +94,73 @@ def test_what_one_robot_alone_is_unsure_of_is_told_by_its_own_errors():
     assert len(after) == len(before) > 3
     for old, new in zip(before, after, strict=True):
         np.testing.assert_allclose(new.value, old.value, rtol=1e-8)
+
+
+@pytest.mark.parametrize("name", [*TYPES, *MOTIONS])
+def test_a_moved_state_changes_by_the_state_as_differences_say(name):
+    kind = MOTIONS[name] if name in MOTIONS else run(with_landmark(name, convert=False), 3).landmarks[0].kind
+    manifold, free = kind.manifold, getattr(kind, "free", np.eye(6)[:, [0, 1, 5]] if "plane" in name else np.eye(6))
+    g = exponential(free @ free.T @ np.array([0.3, -0.2, 0.1, 0.2, -0.1, 0.5]))
+    rng = np.random.default_rng(3)
+    x = np.array([manifold.random(rng) for _ in range(2)])
+    there, (by_motion, by_state) = kind.moved.jac(g, x)
+    np.testing.assert_allclose(there, kind.moved(g, x), rtol=1e-12)
+    for i in range(2):
+        check_jacobian(
+            lambda d, i=i: manifold.minus(kind.moved(g, manifold.plus(x[i], d)), there[i]),
+            by_state[i],
+            np.zeros(manifold.dof),
+        )
+        _, alone = kind.moved.jac(g, x[i])
+        np.testing.assert_allclose(by_motion[i], alone[0], atol=1e-12)
+        np.testing.assert_allclose(by_state[i], alone[1], atol=1e-12)
+
+
+@contextmanager
+def rest_as_it_was(state, robot):
+    """As slamlib's `told`, but what is no motion of the world in the errors stays in the axes of the old one."""
+    before, rows = generators(state), robot.columns
+    with told(state, robot):
+        state.belief.transport = lambda: Carry(rows, generators(state) - before, left_inverse(before[rows]))
+        yield
+
+
+def uncertainty_of_what_is_seen(name, error):
+    """Covariances of all predicted measurements before and after the world is turned by 0.46 rad."""
+    slam = run(with_landmark(name, error=error, convert=False), 6)
+    N, blocks, rows = generators(slam.state), dict(enumerate(slam.belief.blocks)), slam.robots[0].columns
+    beside = np.eye(len(N))
+    beside[:, rows] -= N @ left_inverse(N[rows])
+    rest = beside @ slam.belief.matrix @ beside.T
+    slam.belief.overwrite(blocks, {i: b.mean for i, b in blocks.items()}, rest + 0.3 * N @ N.T)
+    before, was = [p.S for p in slam.project(0)], shown(slam)
+    told_its_pose(slam, 0, [0.3, -0.2, 0.1, 0.2, -0.1, 0.4], 1e-3)
+    np.testing.assert_allclose(shown(slam), was, rtol=1e-7, atol=1e-8)
+    after = [p.S for p in slam.project(0)]
+    assert len(after) == len(before) >= 2
+    return before, after
+
+
+# Ends of these are counted from a place by the origin, and so are others of the same line once the world has moved.
+OTHER_ENDS = {"plkLin", "aplLin"}
+SEEN_ALIKE = [name for name in TYPES if name not in OTHER_ENDS and not name.startswith("plane")]
+
+
+@pytest.mark.parametrize(
+    ("name", "error"), [*((name, "world") for name in SEEN_ALIKE), ("idpPnt", "anchors"), ("fhmPnt", "anchors")]
+)
+def test_a_turn_of_the_world_leaves_how_sure_the_filter_is_of_what_is_seen(name, error):
+    """The map as the robot sees it has not changed, and neither has its covariance: exactly, whatever the turn."""
+    for old, new in zip(*uncertainty_of_what_is_seen(name, error), strict=True):
+        np.testing.assert_allclose(new, old, rtol=1e-6, atol=1e-9 * np.abs(old).max())
+
+
+@pytest.mark.parametrize("name", ["hmgPnt", "eucPnt"])
+def test_control_with_the_rest_as_it_was_depths_point_where_they_did(name, monkeypatch):
+    usual = transport.TRANSPORTS["world"]
+    monkeypatch.setitem(transport.TRANSPORTS, "world", replace(usual, by_robot=rest_as_it_was))
+    before, after = uncertainty_of_what_is_seen(name, "world")
+    assert max(np.abs(new - old).max() / np.abs(old).max() for old, new in zip(before, after, strict=True)) > 0.1
 
 
 @pytest.mark.parametrize("name", TYPES)
