@@ -24,7 +24,7 @@ from slamlib.vision.stereo.motion_source import SplitFeatures, StereoMotionSourc
 STD = (0.06, 0.055, 0.05)  # px, of u, v and d: generous, NIS per number of the films is 0.15 to 0.34
 SEEDS, FRAMES, LIGHT = (1, 2, 3), 150, 10
 ROUND, ROUND_SEEDS, EVERY = 900, (1, 2), 15  # frames
-TURN_SEEDS, OTHER_SEEDS = range(1, 11), range(11, 13)
+TURN_SEEDS, OTHER_SEEDS = range(1, 11), range(11, 21)
 ERRORS, MOTIONS, INTERVALS = ("local", "world"), ("constant-velocity", "covariance-intersection"), (1, 10)
 OLD = 400  # frames: a landmark initialized so long ago and seen now closes the loop
 OPTIONS = Options(points="eucPnt", updates=60, max_new_first=30, max_new=5, reproject=False)
