@@ -117,6 +117,8 @@ class Index:
             address = app.builder.get_target_uri(page)
             numbers = app.env.toc_fignumbers.get(page, {}).get("exercise", {})
             found = places(address, document)
+            if "nosearch" in app.env.metadata[page]:  # Sphinx' own word for a page of which the search has the title
+                found = [Place(place.kind, place.anchor, place.title) for place in found[:1]]
             for place in found:
                 if place.kind == "exercise":
                     place.title = " ".join(["Exercise", ".".join(map(str, numbers.get(place.anchor, ())))]).strip()

@@ -171,6 +171,9 @@ def test_the_index_is_small_and_has_prose_and_captions_but_no_code_nor_what_it_p
     points = " ".join(row[3] for row in index["book/chapters/points.html"])
     assert "Solution" not in {row[2].split()[0] for row in index["book/chapters/points.html"]}
     assert "idpPnt" in points  # code within a sentence is a word of it
+    (notes,) = index["book/appendices/instructors_notes.html"]  # the title: its text would give answers away
+    assert notes[2].startswith("Instructor")
+    assert notes[3] == ""
 
 
 def test_a_summary_is_of_the_place_and_marks_whole_words(page):
