@@ -66,8 +66,9 @@ class State:
     robots: list[Robot] = field(default_factory=list)
     sensors: list[RigSensor] = field(default_factory=list)
     landmarks: list[Landmark] = field(default_factory=list)
-    _kinds: tuple[StateLayout | None, list[KindRows]] = field(default=(None, []), repr=False)
-    _ids: tuple[StateLayout | None, frozenset[Id]] = field(default=(None, frozenset()), repr=False)
+    _looked_up: tuple[StateLayout | None, list[KindRows], frozenset[Id]] = field(
+        default=(None, [], frozenset()), repr=False
+    )
 
     @property
     def layout(self) -> StateLayout | None:
@@ -75,18 +76,20 @@ class State:
         return self.landmarks[0].block.layout if self.landmarks else None
 
     def kinds(self) -> list[KindRows]:
-        """The landmarks kind by kind, looked up once for each layout of the blocks."""
-        layout = self.layout
-        if layout is None or self._kinds[0] is not layout:
-            self._kinds = layout, kinds_of(self.landmarks)
-        return self._kinds[1]
+        """The landmarks kind by kind."""
+        return self._by_layout()[1]
 
     def ids(self) -> frozenset[Id]:
-        """The numbers of the landmarks, looked up likewise."""
+        """The numbers of the landmarks."""
+        return self._by_layout()[2]
+
+    def _by_layout(self) -> tuple[StateLayout | None, list[KindRows], frozenset[Id]]:
+        """The layout of the blocks, and what is looked up once for each."""
         layout = self.layout
-        if layout is None or self._ids[0] is not layout:
-            self._ids = layout, frozenset(landmark.id for landmark in self.landmarks)
-        return self._ids[1]
+        if layout is None or self._looked_up[0] is not layout:
+            numbers = frozenset(landmark.id for landmark in self.landmarks)
+            self._looked_up = layout, kinds_of(self.landmarks), numbers
+        return self._looked_up
 
     @property
     def linearization(self) -> Linearization | None:
