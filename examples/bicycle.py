@@ -4,6 +4,7 @@ import numpy as np
 
 import slamlib as sl
 from slamlib.analytic import cos, sin
+from slamlib.checks import check_motion
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose2 import from_space, in_space
 from slamlib.manifolds import Angle, Euclidean, Product
@@ -30,7 +31,9 @@ def from_pose(pose):  # it starts with its wheels straight
     return np.array([*from_space(pose), 0])
 
 
-sl.MOTIONS.add(Motion("bicycle", Bicycle, 2, step, None, angles=(1,), pose_of=pose_of, from_pose=from_pose))
+BICYCLE = Motion("bicycle", Bicycle, 2, step, None, angles=(1,), pose_of=pose_of, from_pose=from_pose)
+check_motion(BICYCLE, silent=True)
+sl.MOTIONS.add(BICYCLE)
 rider = sl.robot(
     "bicycle", noise=(0.1, 0.05), position=(0, -5, 0), position_std=0.1, orientation_std=1, control=(1, 12)
 )

@@ -1,6 +1,6 @@
-"""The package's own checks of a landmark or a sensor, for those in the package and for a reader's own.
+"""The package's own checks of a landmark, a sensor or a motion, for those in the package and for a reader's own.
 
-    from slamlib.checks import check_landmark, check_sensor
+    from slamlib.checks import check_landmark, check_motion, check_sensor
     check_landmark(MY_POINT)
 
 Each prints a line for every property that holds, and raises CheckError with all that do not: which property, which
@@ -12,13 +12,15 @@ from slamlib.checks.jacobian import check_jacobian
 from slamlib.checks.judge import CheckError, Finding, Judge
 from slamlib.checks.landmarks import line_properties, point_properties
 from slamlib.checks.line_pairs import line_pair_properties
+from slamlib.checks.motions import motion_properties
 from slamlib.checks.pairs import DEFINED, pair_properties
 from slamlib.checks.sensors import sensor_properties
 from slamlib.errors import SlamlibError
 from slamlib.landmarks.parametrization import LineLandmark, PointLandmark
+from slamlib.motions import Motion
 from slamlib.sensors.sensor import Calibration
 
-__all__ = ["CheckError", "Finding", "check_jacobian", "check_landmark", "check_pair", "check_sensor"]
+__all__ = ["CheckError", "Finding", "check_jacobian", "check_landmark", "check_motion", "check_pair", "check_sensor"]
 
 
 def check_landmark(kind: PointLandmark | LineLandmark, *, silent: bool = False, seed: int = 0) -> None:
@@ -42,6 +44,15 @@ def check_sensor(calibration: Calibration, *, silent: bool = False, seed: int = 
         )
     judge = Judge(calibration.sensor.name, seed)
     sensor_properties(judge, calibration)
+    judge.conclude(silent)
+
+
+def check_motion(motion: Motion, *, silent: bool = False, seed: int = 0) -> None:
+    """Check a motion: print the properties that hold, raise CheckError with the others."""
+    if not isinstance(motion, Motion):
+        raise SlamlibError(f"check_motion: give a Motion, not {type(motion).__name__}")
+    judge = Judge(motion.name, seed)
+    motion_properties(judge, motion)
     judge.conclude(silent)
 
 

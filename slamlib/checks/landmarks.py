@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from slamlib.checks.judge import Judge
-from slamlib.checks.models import DEFINED, interface, model_properties
+from slamlib.checks.models import DEFINED, interface, model_properties, moved_derivatives
 from slamlib.errors import SingularPointError
 from slamlib.geometry import pose as frames
 from slamlib.geometry.pose import ORIGIN, Pose
@@ -26,7 +26,6 @@ SEEN = "from_frame, then to_frame: the line is seen along both rays"
 INCIDENT = "point_at gives points on the line, seen from anywhere"
 DISTINCT = "the endpoints are two points"
 UNNOTICED = "a motion of the world is not noticed from a pose that moves along"
-GENERATOR = "the Jacobian of `moved` is its derivative, where nothing has moved yet"
 INHERITED = "a new landmark moves along with the pose that it is seen from"
 
 AXIS = np.array([0, 0, 1, 0.3])  # a point on the optical axis
@@ -100,14 +99,11 @@ def _moved(
     """
     if kind.moved is None:
         return
-    steps = 1e-6 * np.concatenate([np.eye(6), -np.eye(6)])
     for pose, landmark in seen:
         case, motion = judge.at(f"{kind.name}.moved", landmark=landmark, pose=pose), draw(judge.rng)
         from_there = kind.to_frame(frames.compose(motion, pose), kind.moved(motion, landmark))
         case.compare(UNNOTICED, from_there, kind.to_frame(pose, landmark), "motion")
-        near = [kind.moved(Pose.plus(ORIGIN, step), landmark) for step in steps]
-        change = np.array([kind.manifold.minus(a, b) for a, b in zip(near[:6], near[6:], strict=True)]) / 2e-6
-        case.compare(GENERATOR, kind.moved.jac_where(ORIGIN, landmark), change.T, "motion", 1e-6)
+        moved_derivatives(case, kind.moved, kind.manifold, motion, landmark)
     for place in made:
         landmark, J = kind.from_frame.jac(*place)
         along = J.pose @ frames.compose.jac(ORIGIN, place[0])[1].outer

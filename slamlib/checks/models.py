@@ -1,17 +1,19 @@
 """Properties that every model must have: values, Jacobians, batches, single precision."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from slamlib.checks.judge import Case, Judge
 from slamlib.errors import SingularPointError
+from slamlib.geometry.pose import ORIGIN, Pose
 from slamlib.manifolds import Array, Manifold, Product
 from slamlib.models import Formula, Jacobians
 from slamlib.models.numerical import central_difference, complex_step
-from slamlib.registry import TypeDescription
+from slamlib.registry import Moved, TypeDescription
 
+_STEP = 1e-6  # of central differences
 Place = Sequence[Array]  # one array for each argument
 VALUE = "the generated value is the definition's"
 JACOBIAN = "the Jacobian is the derivative, by complex step"
@@ -20,6 +22,8 @@ DEFINED = "is defined at ordinary places"
 INTERFACE = "the definitions take and return what they should"
 BATCH = "a batch is a loop"
 SINGLE = "works in float32, within its precision"
+GENERATOR = "the Jacobian of `moved` is its derivative, where nothing has moved yet"
+BY_STATE = "the Jacobian of `moved` by the state is its derivative"
 
 
 def interface(judge: Judge, owner: TypeDescription, takes: Mapping[str, Mapping[str, int | None]]) -> bool:
@@ -88,6 +92,19 @@ def derivatives(
             if np.isfinite(numerical).all():
                 size = s if chain and (s := np.abs(numerical).max()) > 1e-9 else 1.0
                 case.compare(what, getattr(jacobians, argument.name) / size, numerical / size, argument.name, limit)
+
+
+def moved_derivatives(case: Case, moved: Moved, manifold: Manifold, motion: Array, state: Array) -> None:
+    """The Jacobians of moved(motion, state) by the motion, where that is none, and by the state are its derivatives."""
+
+    def change(dof: int, of: Callable[[Array], Array]) -> Array:
+        pairs = [(of(step), of(-step)) for step in _STEP * np.eye(dof)]
+        return np.array([manifold.minus(a, b) for a, b in pairs]).T / (2 * _STEP)
+
+    by_motion = change(Pose.dof, lambda step: moved(Pose.plus(ORIGIN, step), state))
+    case.compare(GENERATOR, moved.jac_where(ORIGIN, state), by_motion, "motion", 1e-6)
+    by_state = change(manifold.dof, lambda step: moved(motion, manifold.plus(state, step)))
+    case.compare(BY_STATE, moved.jac(motion, state)[1][1], by_state, "state", 1e-6)
 
 
 def _batch(judge: Judge, model: Formula, name: str, places: Sequence[Place]) -> None:

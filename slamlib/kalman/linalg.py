@@ -19,7 +19,8 @@ from slamlib.manifolds import Array, Indices, finite, numbers
 quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error
 
 # Sizes from which the triangular product of BLAS repays its mirroring: benchmarks/covariance_update.py.
-_LARGE = 400
+# Of two products, W'W and a carry's, NumPy makes a matrix each, and reads the second across.
+_LARGE, _LARGE_CARRIED = 400, 100
 _SMALL = 4  # numbers of a measurement up to which Python's floats are quicker than LAPACK
 _SLACK = 1e-9  # of each row: an eigenvalue of correlations, below zero by this, is taken as rounding
 _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
@@ -198,7 +199,7 @@ def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> N
                 _follow(matrix, rows, *each)
         h = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
         h += (h.take(at, axis=1) @ L.T / 2) @ C.T
-    large = len(matrix) >= _LARGE and len(rows) and matrix.flags.c_contiguous
+    large = len(matrix) >= (_LARGE_CARRIED if carry else _LARGE) and len(rows) and matrix.flags.c_contiguous
     fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:
         fast(-1.0, rows.T, 1.0, matrix.T, overwrite_c=1)

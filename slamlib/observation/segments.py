@@ -9,8 +9,10 @@ from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.state import KindRows
+from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
-from slamlib.kalman.linalg import principal_blocks
+from slamlib.geometry.pose import ORIGIN, compose
+from slamlib.kalman.linalg import left_inverse, principal_blocks
 from slamlib.landmarks import LINES, endpoints, hmg_point, segments
 from slamlib.landmarks.euc_point import EUC_POINT
 from slamlib.landmarks.parametrization import LineLandmark
@@ -24,6 +26,7 @@ from slamlib.observation.family import (
     TrueSensor,
     Viewpoint,
     viewpoint,
+    with_own_rows,
 )
 from slamlib.observation.lines import RESIDUALS, distort_segments, initialize_line, rays_of
 from slamlib.observation.points import PLACEHOLDER_POINT, NamedJacobians
@@ -126,8 +129,9 @@ class LineFamily(Family[LineOptions]):
     ) -> None:
         """After an update: enforce the line constraint, let the endpoints follow the measured ones. Chapter lines.
 
-        The constraint holds the line's image from the camera's place, which is estimated: where errors move with the
-        world, eq. (ob-constrain), its derivative by that place counts. The toolbox takes the place as given.
+        The constraint holds the line's image from the camera's place, and an endpoint follows where it is well known in
+        the image. The camera's pose is estimated: where errors move with the world, derivatives by it count, eq.
+        (ob-constrain), and what no image can tell has no part. The toolbox takes the pose as given.
         """
         kind, view = landmarks[0].kind, viewpoint(sensor)
         camera = view.pose
@@ -144,8 +148,13 @@ class LineFamily(Family[LineOptions]):
         found = endpoints.observed_endpoints(kind, landmark_means(landmarks), camera, rays)
         ends = np.where(found.usable[:, None], found.abscissas, old)
         shown = project_endpoints(sensor.calibration, camera, landmarks, ends)
-        H = shown.pixel_by_point @ shown.point_by_end @ shown.end_by_line
-        P = principal_blocks(belief.matrix, state_rows(landmarks))
+        H, columns = shown.pixel_by_point @ shown.point_by_end @ shown.end_by_line, state_rows(landmarks)
+        if options.carried:  # what the world moves by, the camera does
+            by_world = H @ generator(kind, landmark_means(landmarks))[:, None]
+            by_camera = by_world @ left_inverse(compose.jac(ORIGIN, camera)[1].outer)
+            H = np.concatenate([-by_camera @ view.jacobian, H], axis=-1)
+            columns = with_own_rows(sensor, columns)
+        P = principal_blocks(belief.matrix, columns)
         spread = np.where(shown.visible, endpoints.largest_std(H @ P[:, None] @ H.swapaxes(-1, -2)), np.inf).max(-1)
         for landmark, new in zip(landmarks, rule.update(old, found, spread), strict=True):
             landmark.abscissas = new

@@ -247,7 +247,7 @@ def test_a_transport_carries_the_updated_covariance(rng, monkeypatch, n):
     _, expected = textbook(np.zeros(n), P, H, np.zeros(2), R)
     expected = T @ expected @ T.T
     for large in (10**6, 0):
-        monkeypatch.setattr(linalg, "_LARGE", large)
+        monkeypatch.setattr(linalg, "_LARGE_CARRIED", large)
         for sequential in (False, True):
             belief = Belief()
             belief.add(n, np.zeros(n), P)

@@ -7,20 +7,22 @@ import pytest
 import sympy
 
 from slamlib.analytic import cos, exp, log, sin, sqrt
-from slamlib.checks import CheckError, check_landmark, check_pair, check_sensor, line_pairs
+from slamlib.checks import CheckError, check_landmark, check_motion, check_pair, check_sensor, line_pairs
 from slamlib.checks.judge import Judge
 from slamlib.checks.models import JACOBIAN, derivatives
 from slamlib.checks.sensors import visible_points
 from slamlib.codegen import assert_same, derive
 from slamlib.errors import SingularPointError, SlamlibError
-from slamlib.geometry.pose import Pose
+from slamlib.geometry.moved import Parts, number, vector
+from slamlib.geometry.pose import Pose, compose
+from slamlib.geometry.pose2 import Pose2, from_space
 from slamlib.geometry.quaternion import rotation
 from slamlib.landmarks import LINES, POINTS
 from slamlib.landmarks.idp_point import angles_of, direction
 from slamlib.landmarks.parametrization import PointLandmark
 from slamlib.manifolds import as_manifold
 from slamlib.models import AtMost, model
-from slamlib.motions import ODOMETRY
+from slamlib.motions import CONSTANT_VELOCITY, MOTIONS, ODOMETRY
 from slamlib.observation import lines
 from slamlib.observation.points import NamedJacobians
 from slamlib.sensors import SENSORS, Calibration
@@ -397,7 +399,82 @@ def test_an_unmeasured_number_must_be_called_so():
         check_sensor(camera, silent=True)
 
 
+@model(pose=Pose, returns=Pose2)
+def mirrored(pose):
+    """The pose in the plane, turned the other way."""
+    x, y, heading = from_space(pose)
+    return np.array([x, y, -heading])
+
+
+@model(state=Pose2, control=2, dt=(), returns=Pose2)
+def drifting(state, control, dt):
+    """A robot that is blown along the world's x axis, faster than it says."""
+    return np.array([state[0] + dt * (control[0] + 1), state[1], state[2] + dt * control[1]])
+
+
+@model(state=Pose2, control=2, dt=(), returns=Pose2)
+def leaping(state, control, dt):
+    """A robot that is further on before it has moved."""
+    return np.array([state[0] + control[0] * dt + 1, state[1], state[2] + dt * control[1]])
+
+
+@model(state=Pose2, control=2, dt=())
+def flat(state, control, dt):
+    """The heading is a plain number."""
+    return np.array([state[0] + control[0] * dt, state[1], state[2] + dt * control[1]])
+
+
+@model(state=Pose2, speed=2, dt=(), returns=Pose2)
+def misnamed(state, speed, dt):
+    """The control has another name."""
+    return np.array([state[0] + speed[0] * dt, state[1], state[2] + dt * speed[1]])
+
+
+class ByStateTransposed:
+    """moved(motion, state) whose Jacobian by the state is wrong."""
+
+    def __init__(self, right):
+        self.right = right
+
+    def __call__(self, motion, state):
+        return self.right(motion, state)
+
+    def jac_where(self, motion, state):
+        return self.right.jac_where(motion, state)
+
+    def jac(self, motion, state):
+        value, (by_motion, by_state) = self.right.jac(motion, state)
+        return value, (by_motion, by_state.swapaxes(-1, -2))
+
+
+UNTURNED = Parts(compose, *[number] * 6)  # the velocities stay, although those in the world's axes turn
+ALL_TURNED = Parts(compose, vector, vector)  # those in the robot's axes do not
+
+
+@pytest.mark.parametrize(
+    ("right", "change", "definition", "message"),
+    [
+        ("constVel", {"moved": UNTURNED}, "constVel.moved", "not noticed by a step"),
+        ("constVel", {"moved": ALL_TURNED}, "constVel.moved", "not noticed by a step"),
+        ("constVel", {"moved": ByStateTransposed(CONSTANT_VELOCITY.moved)}, "constVel.moved", "by the state"),
+        ("unicycle", {"from_pose": mirrored}, "unicycle.from_pose", "from_pose, then pose_of"),
+        ("unicycle", {"step": drifting}, "unicycle.moved", "not noticed by a step"),
+        ("unicycle", {"step": leaping}, "unicycle.step", "no control and no time"),
+        ("unicycle", {"step": flat}, "unicycle.step", "returns no manifold; should return pose in the plane"),
+        ("unicycle", {"step": misnamed}, "unicycle.step", r"should take state \(3\), control \(2\), dt \(1\)"),
+        ("unicycle", {"moved": MOTIONS["odometry"].moved}, "unicycle", "argument 'inner'|should have|shape"),
+    ],
+)
+def test_a_wrong_motion_is_found_and_named(right, change, definition, message):
+    check_motion(MOTIONS[right], silent=True)
+    with pytest.raises(SlamlibError, match=message) as found:
+        check_motion(dataclasses.replace(MOTIONS[right], **change), silent=True)
+    assert definition in str(found.value) or not isinstance(found.value, CheckError)
+
+
 def test_misuse_is_reported():
+    with pytest.raises(SlamlibError, match="give a Motion, not Sensor"):
+        check_motion(SENSORS["stereo"])
     with pytest.raises(SlamlibError, match="give a PointLandmark or a LineLandmark, not str"):
         check_landmark("ahmPnt")
     with pytest.raises(SlamlibError, match="checked with its calibration"):

@@ -1,4 +1,4 @@
-"""Every landmark and every sensor of the package, found by walking its folders, passes the package's own checks.
+"""Every landmark, sensor and motion of the package, found by walking its folders, passes the package's own checks.
 
 No type is named here. A sensor is checked with plausible values of its parameters: those of its own file, if that holds
 a Calibration of it, else those of the table below.
@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 
 import slamlib.sensors
-from slamlib.checks import check_landmark, check_pair, check_sensor
+from slamlib.checks import check_landmark, check_motion, check_pair, check_sensor
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
 from slamlib.landmarks import LINES, POINTS
+from slamlib.motions import MOTIONS
 from slamlib.observation.points import initialize
 from slamlib.sensors import SENSORS, Calibration
 from slamlib.tests.line_chains import check_chains
@@ -57,6 +58,12 @@ def test_every_landmark_passes_the_checks(name, capsys):
 @pytest.mark.parametrize("name", list(SENSORS))
 def test_every_sensor_passes_the_checks(name, capsys):
     check_sensor(example(SENSORS[name]))
+    assert "properties hold." in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", list(MOTIONS))
+def test_every_motion_passes_the_checks(name, capsys):
+    check_motion(MOTIONS[name])
     assert "properties hold." in capsys.readouterr().out
 
 
