@@ -17,7 +17,6 @@ from slambook.filters_compared import (
     ALL_DATA,
     FILTERS,
     LATER,
-    PRODUCTS,
     SECOND_ORDER,
     WITH_ANCHORS,
     Verdict,
@@ -96,7 +95,7 @@ def filters(case: str) -> tuple[str, ...]:
     if case.startswith(LEARNED):
         return (FILTERS[1], *[ALL_DATA] * (case == f"{LEARNED}1"))
     if case == CALIBRATED:
-        return (*FILTERS[:2], PRODUCTS, LATER, SECOND_ORDER)
+        return (*FILTERS[:2], LATER, SECOND_ORDER)
     if case == BIASED:
         return (*FILTERS[:2], SECOND_ORDER)
     oracle = FILTERS[2:] if case not in WITHOUT_ORACLE else ()

@@ -1,9 +1,9 @@
 """One preset by filters that differ in the error whose covariance they keep, by the oracle, and by all data at once.
 
 The same data, the same seeds. FILTERS: two of the options' errors, and "oracle"; WITH_ANCHORS: a third of the options';
-ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For estimated extrinsics: PRODUCTS,
-"world" with the noise of what a linearization leaves out; LATER, "world" with the first frames by the other sensors
-alone. SECOND_ORDER: "world" with all of the second-order term's variance. Chapter observability.
+ALL_DATA: smoothing, with the data association and the start of the ordinary filter. For estimated extrinsics: LATER,
+"world" with the first frames by the other sensors alone; SECOND_ORDER, "world" with the second-order term's variance.
+Chapter observability.
 """
 
 from collections.abc import Sequence
@@ -14,24 +14,21 @@ import numpy as np
 
 from slambook.oracle import Oracle
 from slambook.smoothing import Smoother
-from slamlib.entities import RigSensor
 from slamlib.evaluation import pose_errors
 from slamlib.evaluation.consistency import band, nees_in_range, share_inside
 from slamlib.evaluation.pose_errors import UNITS, pose_nees
 from slamlib.experiments.presets import Preset
 from slamlib.geometry.pose import Pose
 from slamlib.kalman.chi_square import chi2_quantile
-from slamlib.kalman.linalg import principal_blocks
 from slamlib.manifolds import Array
 from slamlib.records.inputs import Scan
-from slamlib.slam import Slam
 from slamlib.slam.snapshot import robot_view
 
 FILTERS, WITH_ANCHORS, ALL_DATA = ("local", "world", "oracle"), "anchors", "all data"
-PRODUCTS, LATER, ALONE = "products", "later", 20  # frames
+LATER, ALONE = "later", 20  # frames
 SECOND_ORDER = "second order"
 # The option `error` of those that are not named after it.
-ERRORS = {"oracle": "local", ALL_DATA: "local", PRODUCTS: "world", LATER: "world", SECOND_ORDER: "world"}
+ERRORS = {"oracle": "local", ALL_DATA: "local", LATER: "world", SECOND_ORDER: "world"}
 DOF = 6
 
 
@@ -41,31 +38,6 @@ def known_to(preset: Preset, share: float) -> Preset:
     position, turn = (tuple(share * std for std in stds) for stds in (second.position_std, second.orientation_std))
     second = replace(second, estimated=share > 0, position_std=position, orientation_std=turn)
     return replace(preset, rig=replace(preset.rig, sensors=(first, second)))
-
-
-def with_products(slam: Slam) -> Any:
-    """The family of points, with a product of errors, which a linearization leaves out, as noise in batch updates.
-
-    A direction in the sensor's frame has inverse distance times displacement in it: the product of their errors moves
-    it by H / (inverse distance). Where extrinsics are estimated both may be large; its variance is that of Gaussians.
-    """
-
-    class Products(type(slam.families["points"])):  # type: ignore[misc]
-        def batch_innovation(self, sensor: RigSensor, expected: Any, measured: Array) -> Any:
-            found = super().batch_innovation(sensor, expected, measured)
-            if sensor.block is None or expected.landmarks[0].kind is self.exact:
-                return found
-            P, t = principal_blocks(slam.belief.matrix, expected.columns), slice(DOF, DOF + 3)
-            inverse_distances = np.array([landmark.block.mean[-1] for landmark in expected.landmarks])
-            by, both = found.H[..., t] / inverse_distances[:, None, None], P[:, t, -1:]
-            product = P[:, -1:, -1:] * P[:, t, t] + both @ both.swapaxes(1, 2)
-            return found._replace(R=found.R + by @ product @ by.swapaxes(1, 2))
-
-        def linearized(self, sensor: RigSensor, expected: Any) -> tuple[Array, Array]:
-            found = self.batch_innovation(sensor, expected, expected.value)
-            return found.H, found.R
-
-    return Products()
 
 
 def poses(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array]:
@@ -80,8 +52,6 @@ def _filtered(preset: Preset, seed: int, name: str) -> tuple[Array, Array, Array
     options = replace(preset.options, error=ERRORS.get(name, name), second_order=second_order)
     preset = replace(preset, seed=seed, options=options)
     slam = preset.slam()
-    if name == PRODUCTS:
-        slam.families["points"] = with_products(slam)
     oracle = Oracle(slam, preset.world) if name == "oracle" else None
     smoother = Smoother(slam) if name == ALL_DATA else None
     true, estimates, covariances = [], [], []
