@@ -13,6 +13,7 @@ from slamlib.entities import Landmark
 from slamlib.geometry.pose import from_frame
 from slamlib.kalman.chi_square import chi2_quantile
 from slamlib.manifolds import Array, Mask
+from slamlib.motions.unicycle import UNICYCLE
 from slamlib.records.ids import Id
 from slamlib.slam.data_association.front_end import Detected, FrontEnd, FrontEndInput
 from slamlib.slam.data_association.gates import mahalanobis_squared
@@ -35,11 +36,19 @@ def driven(wheel: Array) -> tuple[Array, Array]:
     return measured[..., None] * by_wheel, np.stack([by_wheel, by_steering], axis=-1)
 
 
+def dead_reckoning(controls: Array, times: Array) -> Array:
+    """Poses (n, 3) after each of the controls (n, 2), which last so long (n,) [s], from the origin on."""
+    ahead, left, turns = UNICYCLE.step(np.zeros(3), controls, times).T  # each arc as if from the origin
+    headings = np.cumsum(turns)
+    x_y = np.cumsum((ahead + 1j * left) * np.exp(1j * (headings - turns)))
+    return np.column_stack([x_y.real, x_y.imag, headings])
+
+
 @dataclass(eq=False)
 class Tentative:
-    """What may become a landmark: where it was measured last in the world (3,), how often, and in which scan last."""
+    """What may become a landmark: where it was measured last in the world, how often, and in which scan last."""
 
-    position: Array
+    position: list[float]
     count: int
     scan: int
 
@@ -93,8 +102,9 @@ class NearestNeighbor(FrontEnd):
         if family != "points" or not len(values):
             return []
         point = inputs.sensor.calibration.sensor.back_project(values)
+        places = from_frame(inputs.sensor.camera, point[:, :3] / point[:, 3:]).tolist()
         found: list[Detected] = []
-        for value, there in zip(values, from_frame(inputs.sensor.camera, point[:, :3] / point[:, 3:]), strict=True):
+        for value, there in zip(values, places, strict=True):
             old = [t for t in self.tentative if t.scan < self.scan]
             near = min(old, key=lambda t: math.dist(t.position, there), default=None)
             if near is None or math.dist(near.position, there) > self.radius:

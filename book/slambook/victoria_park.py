@@ -19,14 +19,13 @@ from typing import Any
 import numpy as np
 
 from slambook.figures import colors, draw_ellipse, figure
-from slambook.trees import NearestNeighbor, driven
+from slambook.trees import NearestNeighbor, dead_reckoning, driven
 from slamlib.errors import SlamlibError, optional
 from slamlib.evaluation.consistency import rmse
 from slamlib.experiments.progress import progress
 from slamlib.geometry.pose import compose
 from slamlib.geometry.pose2 import in_space
 from slamlib.manifolds import Array
-from slamlib.motions.unicycle import UNICYCLE
 from slamlib.plain_data.files import check_writable, complete, write_whole
 from slamlib.records.inputs import Control, Features, Frame, Scan
 from slamlib.rigs.builders import range_bearing, robot
@@ -110,15 +109,16 @@ def park_slam() -> Slam:
 def run(recording: ParkRecording, scans: int | None = None) -> dict[str, Any]:
     """The filter on the first `scans` scans: figures, and to draw them `path`, `dead_reckoning`, `trees` and `gps`."""
     slam, began = park_slam(), time.perf_counter()
-    times, states, nis, odometry, measured = recording.times[:scans], [], [], [slam.robots[0].block.mean], 0
-    for frame in progress(recording.frames[:scans], len(times), "scans"):
+    times, frames, states, nis, measured = recording.times[:scans], recording.frames[:scans], [], [], 0
+    for frame in progress(frames, len(times), "scans"):
         slam.step(frame)
         measured += len(frame.scans[0].points)
         states.append(slam.robots[0].block.mean)
         nis += [p.nis for p in slam.predictions[0] if p.inlier]
-        odometry.append(UNICYCLE.step(odometry[-1], frame.controls[0].value, frame.dt))  # type: ignore[union-attr]
     seconds, laser = time.perf_counter() - began, slam.sensors[0].extrinsics
-    path, by_wheels = (compose(in_space(np.array(way)), laser)[:, :2] for way in (states, odometry[1:]))
+    controls = np.array([frame.controls[0].value for frame in frames])  # type: ignore[union-attr]
+    odometry = dead_reckoning(controls, np.array([frame.dt for frame in frames]))
+    path, by_wheels = (compose(in_space(way), laser)[:, :2] for way in (np.array(states), odometry))
     fixes = recording.fixes[(recording.fixes[:, 0] >= times[0]) & (recording.fixes[:, 0] <= times[-1])]
     if len(fixes) < 3 or not (nis and slam.landmarks):
         raise SlamlibError(f"{len(times)} scans are too few to compare with the GPS: 50 are enough")

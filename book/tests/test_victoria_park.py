@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from slambook import victoria_park
-from slambook.trees import AXLES, WHEEL, driven
+from slambook.trees import AXLES, WHEEL, dead_reckoning, driven
 
 from book.experiments.stored import kept
 from book.tools import layout
@@ -91,6 +91,15 @@ def test_the_noise_of_wheel_and_steering_becomes_that_of_the_control():
     _, by_wheel = driven(wheels)
     near = np.stack([driven(wheels + step)[0] - driven(wheels - step)[0] for step in 1e-6 * np.eye(2)], axis=-1)
     assert by_wheel == pytest.approx(near / 2e-6, abs=1e-8)
+
+
+def test_dead_reckoning_is_one_step_after_another():
+    rng = np.random.default_rng(3)
+    controls, times = rng.standard_normal((40, 2)), rng.uniform(0.1, 1, 40)
+    pose = np.zeros(3)
+    for control, time, found in zip(controls, times, dead_reckoning(controls, times), strict=True):
+        pose = UNICYCLE.step(pose, control, time)
+        assert found == pytest.approx(pose, abs=1e-12)
 
 
 def test_the_real_park_begins_as_it_is_stored():
