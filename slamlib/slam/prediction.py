@@ -26,7 +26,7 @@ class PredictionOptions(FamilyOptions):
     second_order: Annotated[str, OneOf(SECOND_ORDER)] | None = None
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, slots=True)
 class PredictedMeasurement:
     """The predicted measurement of one landmark, and what becomes of it in a frame.
 
