@@ -91,10 +91,10 @@ class PredictedBatch(NamedTuple):
     S: Any = None
 
     def take(self, rows: list[int]) -> "PredictedBatch":
-        """Select landmarks, in this order, without S."""
+        """Select landmarks, in this order."""
         value, inner, by = (array.take(rows, axis=0) for array in (self.value, self.innovation_input, self.jacobian))
-        landmarks = [self.landmarks[i] for i in rows]
-        return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options)
+        landmarks, S = [self.landmarks[i] for i in rows], None if self.S is None else self.S.take(rows, axis=0)
+        return PredictedBatch(landmarks, value, inner, by, self.columns.take(rows, axis=0), self.options, S)
 
     @classmethod
     def nothing(cls, size: int) -> "PredictedBatch":
@@ -235,7 +235,7 @@ class Family(ABC, Generic[FamilyOptionsT]):
         self, sensor: RigSensor, inner: Array, by: Array, measured: Array, options: FamilyOptionsT
     ) -> Innovation:
         """Innovation, measured minus predicted: of one measurement (m,) or many (n, m), from `observe`'s results, with
-        its Jacobian `by` w.r.t. the rows of the covariance."""
+        its Jacobian `by` w.r.t. the rows of the covariance. If that is H as it is, R is that of `linearized`."""
         z, noise = sensor.calibration.sensor.manifold.minus(measured, inner), sensor.calibration.noise
         return Innovation(z, by, noise if z.ndim == 1 else noise[None].repeat(len(z), axis=0))
 

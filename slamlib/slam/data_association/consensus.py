@@ -65,12 +65,13 @@ def _fit_the_noise(sensor: RigSensor, predictions: Predictions, options: UpdateO
         z, _, R = innovations(sensor, group)[1]
         try:
             with np.errstate(divide="ignore", invalid="ignore"):
-                squares = mahalanobis_squared(z, R)
+                squares = mahalanobis_squared(z, R).tolist()
         except np.linalg.LinAlgError:
             return False  # what is measured without noise fits none
-        if not (squares.min() >= 0 and squares.max() < gate(options.gate, z.shape[1])):
+        limit = gate(options.gate, z.shape[1])
+        if not all(0 <= square < limit for square in squares):
             return False
-        total, dof = total + float(squares.sum()), dof + z.size
+        total, dof = total + sum(squares), dof + z.size
     return total < gate(options.gate, dof)
 
 

@@ -29,6 +29,8 @@ def gate(probability: float, dof: int) -> float:
 
 
 def innovation_squares(belief: Belief, expected: PredictedBatch, found: Innovation) -> list[float]:
-    """The nis of each single innovation."""
-    S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
+    """The nis of each single innovation: those linearized as they were predicted have the covariance predicted."""
+    S = expected.S if found.H is expected.jacobian else None
+    if S is None:
+        S = innovation_covariances(belief.matrix, expected.columns, found.H, found.R)
     return mahalanobis_squared(found.z, S).tolist()
