@@ -127,7 +127,7 @@ class Belief:
             corner = corner + rows[:, block.slice] @ G.T
         linalg.check_overflow("add", rows, corner)
         block = Block(manifold, mean, self.size)
-        self._set([*self._blocks, block], linalg.replace_rows(self._P, slice(self.size, self.size), rows, corner))
+        self._append(block, linalg.replace_rows(self._P, slice(self.size, self.size), rows, corner))
         return block
 
     def remove(self, block: Block) -> None:
@@ -299,3 +299,8 @@ class Belief:
             block.start = start
             start += block.dof
         self._layout = StateLayout(self._blocks)
+
+    def _append(self, block: Block, P: Array) -> None:
+        """Set one more block, the last one, and the covariance with its rows."""
+        self._blocks[block], self._P = None, P
+        self._layout.append(block)

@@ -66,14 +66,15 @@ class State:
     robots: list[Robot] = field(default_factory=list)
     sensors: list[RigSensor] = field(default_factory=list)
     landmarks: list[Landmark] = field(default_factory=list)
-    _looked_up: tuple[StateLayout | None, list[KindRows], frozenset[Id]] = field(
-        default=(None, [], frozenset()), repr=False
+    _looked_up: tuple[tuple[StateLayout | None, int], list[KindRows], frozenset[Id]] = field(
+        default=((None, 0), [], frozenset()), repr=False
     )
 
     @property
-    def layout(self) -> StateLayout | None:
-        """How the blocks lie among the rows of the covariance: another one whenever a block comes, goes or changes."""
-        return self.landmarks[0].block.layout if self.landmarks else None
+    def layout(self) -> tuple[StateLayout | None, int]:
+        """How the landmarks lie among the rows of the covariance, and how many they are: a new one is the last of its
+        layout; where one goes or changes there is another layout."""
+        return self.landmarks[0].block.layout if self.landmarks else None, len(self.landmarks)
 
     def kinds(self) -> list[KindRows]:
         """The landmarks kind by kind."""
@@ -83,10 +84,10 @@ class State:
         """The numbers of the landmarks."""
         return self._by_layout()[2]
 
-    def _by_layout(self) -> tuple[StateLayout | None, list[KindRows], frozenset[Id]]:
-        """The layout of the blocks, and what is looked up once for each."""
+    def _by_layout(self) -> tuple[tuple[StateLayout | None, int], list[KindRows], frozenset[Id]]:
+        """The layout of the landmarks, and what is looked up once for each."""
         layout = self.layout
-        if layout is None or self._looked_up[0] is not layout:
+        if layout[0] is None or self._looked_up[0] != layout:
             numbers = frozenset(landmark.id for landmark in self.landmarks)
             self._looked_up = layout, kinds_of(self.landmarks), numbers
         return self._looked_up

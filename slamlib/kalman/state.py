@@ -70,6 +70,17 @@ class StateLayout:
         for block, rows in zip(vectors, ranges(v.dof for v in vectors), strict=True):
             block.bind(self, rows)
 
+    def append(self, block: Block) -> None:
+        """Add a block whose rows follow all others': these stay as they are, which is quicker than a new layout."""
+        self.blocks.append(block)
+        if type(block.manifold) is not Euclidean:
+            self.points.append(block)
+            return
+        before = len(self.flat)
+        self.rows = np.concatenate([self.rows, np.arange(block.start, block.start + block.dof)])
+        self.flat = read_only(np.concatenate([self.flat, block.mean]))
+        block.bind(self, slice(before, len(self.flat)))
+
     def retract(self, step: Array, retraction: Retraction | None = None) -> tuple[Array, list[Array]]:
         """Return the vectors' means and each point's after a step (size of the covariance,); nothing is changed yet.
 

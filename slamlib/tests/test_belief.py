@@ -12,6 +12,7 @@ from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibE
 from slamlib.geometry.pose import Pose
 from slamlib.kalman import linalg, update
 from slamlib.kalman.state import stacked_means
+from slamlib.manifolds import Euclidean
 from slamlib.tests.beliefs import Circle, grown, random_covariance, state
 from slamlib.tests.reference import cases
 
@@ -641,6 +642,20 @@ def test_means_of_many_blocks_are_the_means_of_each(rng):
         assert kept.tolist() == numbers
     assert np.array_equal(stacked_means([blocks[0], stranger]), [blocks[0].mean, stranger.mean])
     assert np.array_equal(blocks[2].mean, stacked_means(chosen)[0])
+
+
+def test_blocks_that_were_added_one_by_one_move_as_those_restored_at_once(rng):
+    belief = Belief()
+    blocks = [belief.add(manifold, manifold.random(rng), np.eye(manifold.dof)) for manifold in (Pose, Euclidean(3))]
+    blocks += [belief.add(manifold, manifold.random(rng), np.eye(manifold.dof)) for manifold in (Euclidean(2), Pose)]
+    snapshot, H = belief.snapshot(), rng.standard_normal((2, belief.size))
+    found = []
+    for _ in range(2):
+        belief.update_rows(np.arange(belief.size), H, np.ones(2), np.eye(2))
+        found.append([block.mean.tolist() for block in blocks])
+        belief.restore(snapshot)  # makes the layout anew
+    assert found[0] == found[1]
+    assert found[0] != [mean.tolist() for mean in snapshot.means]
 
 
 def test_means_of_points_are_stacked_too(rng):
