@@ -26,7 +26,7 @@ def back_project(measurement):
 
 def visible(point, calibration):
     """Mask of the points not on the vertical, within the limits `near`, `far` [m] and `bearing` [rad]."""
-    x, y, _, w = np.moveaxis(np.asarray(point), -1, 0)
+    x, y, w = (point[..., i] for i in (0, 1, 3))
     level, limits = np.hypot(x, y), calibration.limits
     seen = (w > 0) & (level > 0) & (level >= limits.get("near", 0) * w)
     if "far" in limits:

@@ -33,7 +33,7 @@ def select(inputs: FrontEndInput, front_end: FrontEnd, rule: str, count: int) ->
     """
     sizes: dict[int, Predictions] = defaultdict(list)
     for prediction in front_end.searchable(inputs):
-        sizes[len(prediction.S)].append(prediction)
+        sizes[prediction.batch.S.shape[-1]].append(prediction)
     # Determinants of different sizes cannot be compared: each size of measurement has the whole budget for itself.
     chosen: Predictions = []
     for group in sizes.values():
