@@ -1,5 +1,6 @@
 """The spaces of arguments: arrays and their checks, vectors, and manifolds whose stored size and dof differ."""
 
+import cmath
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
@@ -70,6 +71,11 @@ def whole_rows(*arrays: ArrayLike) -> Mask | None:
     return keep
 
 
+def all_finite(array: NDArray[Any]) -> bool:
+    """Whether all numbers are finite: mostly the sum of their squares tells, in half the time."""
+    return cmath.isfinite(np.vdot(array, array)) or bool(np.isfinite(array).all())
+
+
 def finite(value: ArrayLike, shape: tuple[int | None, ...] | None, function: str, argument: str) -> Array:
     """Convert to an array of finite floats of this shape, where None is any length, or any shape.
 
@@ -81,7 +87,7 @@ def finite(value: ArrayLike, shape: tuple[int | None, ...] | None, function: str
         if not free:
             form = str(shape).replace("None", "n")
             raise ShapeError(f"{function}: {argument} should have shape {form}, but has shape {array.shape}")
-    if not np.isfinite(array).all():
+    if not all_finite(array):
         where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         raise NonFiniteError(f"{function}: {argument} holds {array[where]} at index {where}; leave it out")
     return array

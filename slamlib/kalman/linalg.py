@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slamlib.errors import CovarianceError, NonFiniteError
-from slamlib.manifolds import Array, Indices, finite, numbers
+from slamlib.manifolds import Array, Indices, all_finite, finite, numbers
 
 quiet_floats = np.errstate(over="ignore", invalid="ignore")  # results are checked: an overflow is an error
 
@@ -28,7 +28,7 @@ _ROUNDING = 4 * float(np.finfo(float).eps)  # of each row, beside the variance
 
 def check_overflow(function: str, *results: Array) -> None:
     """Raise NonFiniteError where finite arguments gave a covariance beyond the range of floating point."""
-    if not all(np.isfinite(result).all() for result in results):
+    if not all(map(all_finite, results)):
         raise NonFiniteError(f"{function}: the covariance overflows; choose units in which the numbers are smaller")
 
 

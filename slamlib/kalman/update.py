@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from slamlib.errors import CovarianceError, NonFiniteError, ShapeError, SlamlibError, entry
 from slamlib.kalman import linalg
 from slamlib.kalman.state import Block, Retraction, StateLayout
-from slamlib.manifolds import Array, Indices, finite, numbers, ranges, whole_rows
+from slamlib.manifolds import Array, Indices, all_finite, finite, numbers, ranges, whole_rows
 
 
 @dataclass(frozen=True)
@@ -256,7 +256,7 @@ class SequentialUpdate:
     def apply(self, proposed: Proposal) -> None:
         """Update by the last measurement proposed. Raises NonFiniteError."""
         step = proposed.white @ proposed.rows
-        if not np.isfinite(step).all():
+        if not all_finite(step):
             raise NonFiniteError("update: the step overflows; choose units in which the numbers are smaller")
         self._layout.assign(*self._layout.retract(step, self._retraction))
         self._keep(proposed.rows)

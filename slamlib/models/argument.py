@@ -7,7 +7,7 @@ import numpy as np
 from numpy.ma import MaskedArray
 
 from slamlib.errors import NonFiniteError, ShapeError, SlamlibError
-from slamlib.manifolds import Array, Manifold, as_manifold
+from slamlib.manifolds import Array, Manifold, all_finite, as_manifold
 
 
 class AtMost(int):
@@ -44,7 +44,7 @@ class Argument:
         if value.dtype.kind not in "fiubc":
             raise ShapeError(f"{what} should hold numbers, but has dtype {value.dtype}")
         few = value.size < 10 and cmath.isfinite(sum(value.ravel().tolist()))  # for a few numbers Python is faster
-        if not few and not np.isfinite(value).all():
+        if not few and not all_finite(value):
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(value))[0])
             raise NonFiniteError(f"{what} holds {value[where]} at index {where}; leave it out")
         if self.manifold is not None and self.is_manifold and value.dtype.kind != "c":

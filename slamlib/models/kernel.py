@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from slamlib.errors import ShapeError, SingularPointError
-from slamlib.manifolds import Array, ranges
+from slamlib.manifolds import Array, all_finite, ranges
 from slamlib.models.argument import Argument
 
 Shape = tuple[int, ...]
@@ -114,10 +114,9 @@ class Kernel:
         ]
         with np.errstate(all="ignore"):
             block = self._gather(self.function(*rows), batch, dtype)
-            flat = block.ravel()
-            fine = np.isfinite(np.vdot(flat, flat))  # fast: nan and infinity show in the sum of the squares
-        if not fine and not (finite := np.isfinite(block)).all():
-            place = tuple(np.argwhere(~finite)[0][1:])
+            fine = all_finite(block)
+        if not fine:
+            place = tuple(np.argwhere(~np.isfinite(block))[0][1:])
             alone = [row.reshape(len(row), *(1,) * (len(batch) + 1 - row.ndim), *row.shape[1:]) for row in rows]
             numbers = [np.broadcast_to(row, (len(row), *batch))[(slice(None), *place)] for row in alone]
             raise self._singular(_item(place), numbers)
