@@ -12,6 +12,7 @@ from slamlib.belief import Belief
 from slamlib.errors import NonFiniteError, SlamlibError, UnitError
 from slamlib.geometry.pose import to_frame
 from slamlib.kalman.update import LinearizedMeasurement
+from slamlib.manifolds import all_finite
 from slamlib.records.ids import ids_of, packed, unpacked
 from slamlib.records.inputs import Control, Features, Frame, RobotMeasurement, Scan, World
 from slamlib.sensors import plane_bearing
@@ -19,6 +20,18 @@ from slamlib.sensors.pinhole import PINHOLE
 from slamlib.simulation import recording
 
 EYE = np.eye(3)
+
+
+@pytest.mark.parametrize("dtype", [np.float16, np.float32, float, complex])
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_one_number_that_is_not_finite_is_noticed_and_large_ones_are_finite(dtype, bad):
+    largest = np.full((3, 4), np.finfo(dtype).max, dtype=dtype)
+    assert all_finite(largest)  # the sum of their squares is not
+    assert all_finite(largest[:0])
+    for number in (bad, 1j * bad) if dtype is complex else (bad,):
+        largest[1, 2] = number
+        assert not all_finite(largest)
+        assert not all_finite(np.where(np.isfinite(largest), 0, largest).T)
 
 
 def updated(z, H, R):

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from slamlib.entities.landmark import group_by_kind
 from slamlib.entities.state import KindRows
 from slamlib.errors import UnknownNameError
 from slamlib.experiments.presets import preset
@@ -15,10 +16,12 @@ from slamlib.slam import Slam
 from slamlib.slam.data_association import consensus
 from slamlib.slam.data_association.consensus import OUTLIER_REJECTIONS
 from slamlib.slam.data_association.front_end import FrontEndInput, KnownAssociation, match
+from slamlib.slam.data_association.gates import innovation_squares
 from slamlib.slam.data_association.joint_innovation import JointInnovation, hypothesis_innovations, joint_innovation
 from slamlib.slam.data_association.selection import select
 from slamlib.slam.measurement_update import update_in_batch
 from slamlib.slam.options import Options
+from slamlib.slam.prediction import LANDMARK_KIND, innovations
 from slamlib.tests.compared import shaken
 
 ROBUST = ("joint", "one-point-ransac")
@@ -95,6 +98,21 @@ def test_the_joint_covariance_is_that_of_the_belief(mixed):
             pair = found.S[[i, j]][:, :, [i, j]].reshape(4, 4)
             assert np.allclose(pair, wanted, rtol=1e-9, atol=1e-9 * wanted.max())
             assert np.allclose(found.z[i], a.z)
+
+
+def test_a_gate_has_the_covariance_of_the_innovation_predicted_or_not(mixed):
+    """Points are linearized where they were predicted, and have S from there; segments depend on what is measured."""
+    slam, sensor, predictions = mixed
+    taken = set()
+    for group in group_by_kind(predictions, LANDMARK_KIND):
+        expected, found = innovations(sensor, group)
+        squares = innovation_squares(slam.belief, expected, found)
+        assert squares == pytest.approx(innovation_squares(slam.belief, expected._replace(S=None), found))
+        doubled = innovation_squares(slam.belief, expected._replace(S=2 * expected.S), found)
+        ratio = np.array(doubled) / squares
+        assert ratio == pytest.approx(ratio[0])
+        taken.add((group[0].family.name, round(float(ratio[0]), 6)))
+    assert taken == {("points", 0.5), ("segments", 1.0)}
 
 
 @pytest.mark.parametrize("case", ["mixed", "calibrating"])
