@@ -256,14 +256,15 @@ class Terminal(io.StringIO):
 
 
 @pytest.mark.parametrize(("said", "used"), [({}, "1"), ({"OPENBLAS_NUM_THREADS": "3"}, "3")])
-def test_the_command_loads_numpy_with_one_thread_of_blas_unless_told_otherwise(said, used):
-    watch = """
+@pytest.mark.parametrize("module", ["slamlib.cli", "slambook.trees"])
+def test_commands_load_numpy_with_one_thread_of_blas_unless_told_otherwise(module, said, used):
+    watch = f"""
 import os, sys
 class Watch:
     def find_spec(self, name, *of):
         if name == "numpy": print(os.environ.get("OPENBLAS_NUM_THREADS"))
 sys.meta_path.insert(0, Watch())
-import slamlib.cli
+import {module}
 """
     known = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"} | said
     call = [sys.executable, "-c", watch]
