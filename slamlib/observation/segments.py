@@ -145,12 +145,13 @@ class LineFamily(Family[LineOptions]):
         if not rule.extend:
             return
         rays, old = rays_of(sensor.calibration, measured)[0], np.array([landmark.abscissas for landmark in landmarks])
-        found = endpoints.observed_endpoints(kind, landmark_means(landmarks), camera, rays)
+        means = landmark_means(landmarks)
+        found = endpoints.observed_endpoints(kind, means, camera, rays)
         ends = np.where(found.usable[:, None], found.abscissas, old)
         shown = project_endpoints(sensor.calibration, camera, landmarks, ends)
         H, columns = shown.pixel_by_point @ shown.point_by_end @ shown.end_by_line, state_rows(landmarks)
         if options.carried:  # what the world moves by, the camera does
-            by_world = H @ generator(kind, landmark_means(landmarks))[:, None]
+            by_world = H @ generator(kind, means)[:, None]
             by_camera = by_world @ left_inverse(compose.jac(ORIGIN, camera)[1].outer)
             H = np.concatenate([-by_camera @ view.jacobian, H], axis=-1)
             columns = with_own_rows(sensor, columns)
