@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, Protocol
 from slamlib.errors import SlamlibError, entry
 from slamlib.manifolds import Array, Manifold
 from slamlib.models import Formula, Jacobians, Model
+from slamlib.models.in_memory import Generated
 
 
 class Wanted(NamedTuple):
@@ -42,6 +43,8 @@ class Moved(Protocol):
     def __call__(self, motion: Array, state: Array, /) -> Array: ...
 
     def jac_where(self, motion: Array, state: Array, /) -> Array: ...
+
+    def entries_where(self, motion: Array, /) -> Generated: ...
 
     def jac(self, motion: Array, state: Array, /) -> tuple[Array, Jacobians]: ...
 

@@ -50,14 +50,8 @@ from slamlib.records.inputs import RobotMeasurement
 from slamlib.slam import Slam
 from slamlib.slam import transport as transports
 from slamlib.slam.snapshot import robot_view
-from slamlib.slam.transport import (
-    Transport,
-    carried,
-    directions,
-    generators,
-    kept,
-    told,
-)
+from slamlib.slam.transport import Transport, carried, kept, told
+from slamlib.slam.unobservable import directions, generators
 
 FILE = layout.BOOK / "chapters" / "data" / "absolute_measurements.json"
 SETS, RUNS, RUNS_BY_TYPE = (5000, 9000), 40, 16

@@ -15,8 +15,8 @@ from typing import Any, cast
 import numpy as np
 
 from slamlib.entities import RigSensor
+from slamlib.entities.generator import generator
 from slamlib.entities.linearization import FirstEstimates, HasMotion
-from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose, inverse
 from slamlib.kalman.state import Block

@@ -9,7 +9,7 @@ from slambook.filters_compared import ALL_DATA, FILTERS, Verdict, run
 from slambook.oracle import Oracle, nearest
 
 from book.experiments import consistency
-from slamlib.entities.unobservable import generator
+from slamlib.entities.generator import generator
 from slamlib.errors import SlamlibError
 from slamlib.experiments.presets import preset
 from slamlib.geometry.pose import ORIGIN, Pose, from_frame

@@ -7,7 +7,7 @@ from slambook.trade_carried import TradeCarried, after_step, correction, estimat
 from book.experiments import predictions
 from slamlib.geometry.pose import ORIGIN, Pose, compose
 from slamlib.motions import ODOMETRY
-from slamlib.slam.transport import trade
+from slamlib.slam.unobservable import trade
 
 
 @pytest.fixture

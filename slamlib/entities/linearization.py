@@ -6,7 +6,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from slamlib.entities.unobservable import generator
+from slamlib.entities.generator import generator
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array
 from slamlib.motions import Motion

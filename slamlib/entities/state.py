@@ -12,17 +12,18 @@ from slamlib.entities.landmark import Landmark, group_by_kind, landmark_means, s
 from slamlib.entities.linearization import Linearization
 from slamlib.entities.rig import RigSensor, Robot
 from slamlib.kalman.state import StateLayout, places
-from slamlib.manifolds import Array, Euclidean, Indices
+from slamlib.manifolds import Array, Euclidean, Indices, read_only
 from slamlib.records.ids import Id
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class KindRows:
     """All landmarks of one kind, their rows (n, dof) of the covariance, and where their means lie in the layout."""
 
     landmarks: list[Landmark]
     rows: Indices
     places: Indices | None
+    _gathered: tuple[Array | None, Array] = field(default=(None, np.zeros(0)), repr=False)  # of which numbers, means
 
     @classmethod
     def of(cls, landmarks: list[Landmark]) -> "KindRows":
@@ -51,11 +52,13 @@ class KindRows:
         return KindRows([self.landmarks[i] for i in indices.tolist()], self.rows.take(indices, axis=0), at)
 
     def means(self) -> Array:
-        """Their present means (n, size)."""
+        """Their present means (n, size), read-only where they are vectors: gathered once between two changes."""
         layout = self.landmarks[0].block.layout
         if layout is None or self.places is None:
             return landmark_means(self.landmarks)
-        return layout.flat.take(self.places)
+        if self._gathered[0] is not layout.flat:
+            self._gathered = layout.flat, read_only(layout.flat.take(self.places))
+        return self._gathered[1]
 
 
 @dataclass(eq=False)

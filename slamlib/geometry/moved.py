@@ -10,6 +10,7 @@ from slamlib.geometry.pose import from_frame as into_world
 from slamlib.geometry.pose2 import Pose2, from_space
 from slamlib.geometry.pose2 import compose as compose2
 from slamlib.geometry.quaternion import rotation
+from slamlib.manifolds import ranges
 from slamlib.models import model
 
 
@@ -51,6 +52,12 @@ class Parts:
     def jac_where(self, motion, state):
         """(..., dof, 6): its Jacobian with respect to the motion, where that is `motion` (7,)."""
         return np.concatenate([part.jac_where(motion, own) for part, own in self._split(state)], axis=-2)
+
+    def entries_where(self, motion):
+        """The function of the state's numbers, a list, that gives the entries of that Jacobian, row by row."""
+        functions = [part.entries_where(motion) for part in self.parts]
+        pieces = ranges(part.arguments[1].size for part in self.parts)
+        return lambda state: sum((f(state[at]) for f, at in zip(functions, pieces, strict=True)), ())
 
     def jac(self, motion, state):
         """The state after a motion, and its Jacobians: (..., dof, 6) by the motion, (..., dof, dof) by the state."""

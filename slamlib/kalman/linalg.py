@@ -197,8 +197,9 @@ def subtract_square(matrix: Array, rows: Array, carry: Carry | None = None) -> N
             rows = rows.copy()
             for each in following:
                 _follow(matrix, rows, *each)
-        h = L @ matrix.take(at, axis=0) - (L @ rows.take(at, axis=1).T) @ rows  # L E (P - W'W)
-        h += (h.take(at, axis=1) @ L.T / 2) @ C.T
+        h = np.dot(L, matrix.take(at, axis=0))  # np.dot: of matrices so small it is quicker than @
+        h -= np.dot(np.dot(rows.take(at, axis=1), L.T).T, rows)  # L E (P - W'W)
+        h += np.dot(np.dot(h.take(at, axis=1), L.T / 2), C.T)
     large = len(matrix) >= (_LARGE_CARRIED if carry else _LARGE) and len(rows) and matrix.flags.c_contiguous
     fast, twice = (_scipy("scipy.linalg.blas", name) if large else None for name in ("dsyrk", "dsyr2k"))
     if fast:

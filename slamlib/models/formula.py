@@ -156,6 +156,10 @@ class Model(Formula):
         """The Jacobian (..., result, argument) w.r.t. the first argument alone, at a point for which code is kept."""
         return self._run(self._kernel_where(tuple(first)), [np.asarray(other) for other in others])[0]
 
+    def entries_where(self, first: Sequence[float] | Array) -> in_memory.Generated:
+        """The generated function of the other arguments' numbers, unchecked, that gives that Jacobian, row by row."""
+        return self._kernel_where(tuple(first)).function
+
     def storage_jac(self, *args: ArrayLike, **kwargs: ArrayLike) -> tuple[Array, Jacobians]:
         """Value and plain derivatives w.r.t. the stored numbers: seven of a pose, four of a quaternion.
 

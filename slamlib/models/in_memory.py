@@ -1,4 +1,4 @@
-"""Generated code that is in no file: modules of a text, and functions where some numbers are known."""
+"""Generated code that is in no file: modules of a text, functions where some numbers are known; which is affine."""
 
 import ast
 import inspect
@@ -54,6 +54,36 @@ def where_first(whole: Generated, arguments: list[Argument], first: Sequence[flo
     lengths, start = {argument.name: argument.size for argument in others}, math.prod(value)
     numbers = {f"{known.name}{i}": float(number) for i, number in enumerate(first)}
     return _without(whole, lengths, numbers, list(range(start, start + math.prod(by))))
+
+
+def is_affine(function: Generated, size: int) -> bool:
+    """Whether all entries of a generated function of one argument are constants plus multiples of its numbers."""
+    try:
+        function([_AFFINE] * size)
+    except (TypeError, AttributeError):  # the latter from NumPy's functions of objects
+        return False
+    return True
+
+
+class _Affine:
+    """Any number that is affine in the arguments: sums and multiples are, too; what else is done is a TypeError."""
+
+    __array_ufunc__ = None
+
+    def __neg__(self) -> "_Affine":
+        return self
+
+    def __add__(self, other: object) -> "_Affine":
+        return self
+
+    def __mul__(self, other: object) -> "_Affine":
+        return NotImplemented if isinstance(other, _Affine) else self
+
+    __radd__ = __sub__ = __rsub__ = __add__
+    __rmul__ = __truediv__ = __mul__
+
+
+_AFFINE = _Affine()
 
 
 def _without(function: Generated, lengths: dict[str, int], known: dict[str, float], kept: list[int]) -> Generated:

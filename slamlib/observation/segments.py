@@ -7,9 +7,9 @@ import numpy as np
 
 from slamlib.belief import Belief
 from slamlib.entities import Landmark, RigSensor
+from slamlib.entities.generator import generator
 from slamlib.entities.landmark import landmark_means, state_rows
 from slamlib.entities.state import KindRows
-from slamlib.entities.unobservable import generator
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN, compose
 from slamlib.kalman.linalg import left_inverse, principal_blocks

@@ -14,13 +14,14 @@ from functools import partial
 import numpy as np
 
 from slamlib.entities import RigSensor, Robot, State
-from slamlib.entities.unobservable import Movable, check_moved, generator
-from slamlib.geometry.pose import ORIGIN, compose, exponential
+from slamlib.entities.generator import Movable, check_moved
+from slamlib.geometry.pose import exponential
 from slamlib.kalman.linalg import Carry, Following, left_inverse
 from slamlib.kalman.state import Block
 from slamlib.manifolds import Array, Indices
 from slamlib.slam.anchors import AnchoredRows, anchored_rows
 from slamlib.slam.measurement_update import Projection, unprojected
+from slamlib.slam.unobservable import Unobservable, directions
 
 
 def check(robots: Iterable[Robot], kinds: Iterable[Movable], error: str) -> None:
@@ -28,43 +29,6 @@ def check(robots: Iterable[Robot], kinds: Iterable[Movable], error: str) -> None
     if error != "local":
         for kind in (*(robot.motion for robot in robots), *kinds):
             check_moved(kind)
-
-
-def generators(state: State) -> Array:
-    """N (size, f): the change of all blocks' errors by a motion (tau [m], phi [rad]) of the world.
-
-    As many as all robots can make with it: six, or three where one of them is in the plane.
-    """
-    N = np.zeros((state.belief.size, 6))
-    for robot in state.robots:
-        N[robot.block.slice] = generator(robot.motion, robot.block.mean)
-    for group in state.kinds():
-        N[group.together] = generator(group.kind, group.means()).reshape(-1, 6)
-    free = directions(state)
-    return N if free.shape[1] == 6 else N @ free  # all six are the six themselves
-
-
-def directions(state: State) -> Array:
-    """Basis (6, f) of the motions of the world that all robots can make with it."""
-    return min((robot.motion.free for robot in state.robots), key=np.size)
-
-
-def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
-    """N (size, f) of the motions of robot and extrinsics against each other, which leave the sensor where it is.
-
-    As many as the robot is free to make: six, or three in the plane.
-    """
-    robot, free = sensor.robot, sensor.robot.motion.free
-    N, by_pose = np.zeros((size, free.shape[1])), robot.motion.at(robot.pose, np.zeros(6))[1]
-    N[robot.columns] = by_pose[: len(robot.columns), :6] @ compose.jac(robot.pose, ORIGIN)[1].inner @ free
-    N[extrinsics.slice] = -compose.jac(ORIGIN, extrinsics.mean)[1].outer @ free
-    return N
-
-
-def unobservable(state: State, sensor: RigSensor) -> Array:
-    """What this sensor's measurements cannot tell (size, f); more columns where its extrinsics are estimated."""
-    N, extrinsics = generators(state), sensor.block
-    return N if extrinsics is None else np.concatenate([N, trade(len(N), sensor, extrinsics)], axis=1)
 
 
 Anchored = Callable[[State], list[AnchoredRows]]  # the landmarks whose anchors the covariance follows, too
@@ -86,24 +50,27 @@ def carried(state: State, sensor: RigSensor, anchored: Anchored = no_anchors) ->
     rows, less what the world's motion makes of them, N_a: so S adds (F(after) - F(before)) (I - N_a L) to the rest of
     the landmark, and H (I - N L) loses H S (I - N_a L) as well, of the landmark that H measures.
     """
-    rows = sensor.columns
-    before = unobservable(state, sensor)
-    motion, own = left_inverse(before[rows]), anchored(state)
+    rows, before = sensor.columns, Unobservable(state, sensor)
+    motion, own = left_inverse(before.of_robots(rows)), anchored(state)
     anchors = {int(anchor[0]): F for each in own for anchor, F in zip(each.anchors, each.F, strict=True)}
 
     def project(columns: Indices, H: Array) -> Array:
-        H, first, by_world = H.copy(), len(rows), H @ before[columns]
+        H, first, by_world = H.copy(), len(rows), H @ before.N[columns]
         F = anchors.get(int(columns[first]))
         if F is not None:
             end = first + F.shape[1]
             by_shift = H[:, first:end] + H[:, end:] @ F
             H[:, first:end] -= by_shift
-            by_world -= by_shift @ before[columns[first:end]]
+            by_world -= by_shift @ before.N[columns[first:end]]
         H[:, :first] -= by_world @ motion
         return H
 
-    with _followed(state, partial(unobservable, state, sensor), before, rows, motion, anchored, own):
+    belief = state.belief
+    belief.transport = partial(_carry, state, before, rows, motion, anchored, own)
+    try:
         yield project
+    finally:
+        belief.transport = None
 
 
 @contextmanager
@@ -117,8 +84,8 @@ def told(state: State, robot: Robot, anchored: Anchored = no_anchors) -> Iterato
     What is no motion of the world in the errors turns with it: N(before) d + r becomes N(after) d + M r, M the Jacobian
     of each moved block by what it was. Eq. (ob-rest).
     """
-    N, rows, free = generators(state), robot.columns, directions(state)
-    L, turned = left_inverse(N[rows]), list[Following]()
+    before, rows, free = Unobservable(state), robot.columns, directions(state)
+    N, L, turned = before.N, left_inverse(before.of_robots(rows)), list[Following]()
     movable: list[tuple[Movable, Indices, list[Block]]] = [  # extrinsics are in no world
         *((own.motion, np.arange(N.shape[0])[None, own.block.slice], [own.block]) for own in state.robots),
         *((group.kind, group.rows, [landmark.block for landmark in group.landmarks]) for group in state.kinds()),
@@ -137,25 +104,23 @@ def told(state: State, robot: Robot, anchored: Anchored = no_anchors) -> Iterato
 
     belief = state.belief
     usual, belief.retraction = belief.retraction, retract
+    belief.transport = partial(_carry, state, before, rows, L, anchored, anchored(state), turned)
     try:
-        with _followed(state, partial(generators, state), N, rows, L, anchored, anchored(state), turned):
-            yield
+        yield
     finally:
-        belief.retraction = usual
+        belief.retraction, belief.transport = usual, None
 
 
-@contextmanager
-def _followed(
+def _carry(
     state: State,
-    unobservable_now: Callable[[], Array],
-    before: Array,
+    before: Unobservable,
     rows: Indices,
     motion: Array,
     anchored: Anchored,
     own: list[AnchoredRows],
     turned: Sequence[Following] = (),
-) -> Iterator[None]:
-    """Within the block an update of the covariance ends with T P T', T = (I + C L) (I + D) M.
+) -> Carry | None:
+    """How the covariance follows the means of now: T P T', T = (I + C L) (I + D) M. None where N never changes.
 
     C = N(after) - N(before) - D N(before), and D, of the anchored landmarks, own before and the same after, takes
     each anchor's shift to the rest of its landmark: so T N(before) = N(after), and T S(before) = S(after).
@@ -163,30 +128,21 @@ def _followed(
     turned: where the update turned the world, M = I + this, block by block, comes first; all that was before is then
     taken of M's errors: M N(before) for N(before), L (M N(before)) = I, and (I, F) that spans M S(before).
     """
-    belief = state.belief
-
-    def carry() -> Carry | None:
-        then, read, anchors = before, motion, own
-        if turned:
-            then, anchors = before.copy(), [each.turned(turned) for each in own]
-            for at, _, G in turned:
-                then[at] += G @ before[at]
-            read = left_inverse(then[rows])
-        change = unobservable_now() - then
-        following = [after.following(each) for after, each in zip(anchored(state), anchors, strict=True)]
-        for at, rest, F in following:
-            change[rest] -= F @ then[at]
-        # A translation of the world adds the same to a point or a pose anywhere: such columns do not change.
-        moved = np.ones(len(change)) @ np.abs(change) > 0  # quicker than change.any(axis=0)
-        if not moved.any() and not following:
+    change, read, anchors = before.change(), motion, own
+    if turned:
+        then, anchors = before.N.copy(), [each.turned(turned) for each in own]
+        for at, _, G in turned:
+            then[at] += G @ before.N[at]
+        change, read = change + (before.N - then), left_inverse(then[rows])
+    following = [after.following(each) for after, each in zip(anchored(state), anchors, strict=True)]
+    for at, rest, F in following:
+        change[rest] -= F @ (then if turned else before.N)[at]
+    if not turned and not following:
+        changing = before.changing()
+        if not len(changing):
             return None
-        return Carry(rows, change[:, moved], np.asarray(read[moved], float), [*turned, *following])
-
-    belief.transport = carry
-    try:
-        yield
-    finally:
-        belief.transport = None
+        change, read = change.take(changing, axis=1), read.take(changing, axis=0)
+    return Carry(rows, change, read, [*turned, *following])
 
 
 def kept(state: State, source: RigSensor | Robot) -> AbstractContextManager[Projection]:

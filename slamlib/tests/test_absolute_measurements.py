@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from slamlib.checks.jacobian import check_jacobian
+from slamlib.entities.generator import generator
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.consistency import band, share_inside
 from slamlib.evaluation.pose_errors import invariant_error, pose_nees
 from slamlib.geometry.pose import Pose, exponential, from_frame, to_frame
-from slamlib.kalman.linalg import Carry
+from slamlib.kalman.linalg import Carry, left_inverse
 from slamlib.landmarks import LINES, POINTS
 from slamlib.models import model
 from slamlib.motions import MOTIONS
@@ -22,7 +23,8 @@ from slamlib.records.inputs import RobotMeasurement
 from slamlib.rigs.setup import Rig
 from slamlib.slam import transport
 from slamlib.slam.snapshot import robot_view
-from slamlib.slam.transport import generator, generators, left_inverse, told
+from slamlib.slam.transport import told
+from slamlib.slam.unobservable import generators
 from slamlib.tests import test_plane_maps
 from slamlib.tests.test_transport import run, with_landmark, with_options
 

@@ -15,7 +15,8 @@ from slamlib.landmarks import LINES, POINTS
 from slamlib.slam.anchors import anchored_rows, follows
 from slamlib.slam.measurement_update import unprojected
 from slamlib.slam.prediction import innovations
-from slamlib.slam.transport import TRANSPORTS, Transport, generators, unobservable
+from slamlib.slam.transport import TRANSPORTS, Transport
+from slamlib.slam.unobservable import Unobservable, generators
 from slamlib.tests import test_transport
 from slamlib.tests.test_transport import with_options
 
@@ -60,7 +61,7 @@ def whole_matrices(state, sensor):
     """As `carried` with anchors, as chapter observability writes it: one N, of the world and of all anchors."""
 
     def N():
-        return np.concatenate([unobservable(state, sensor), anchors_columns(state)[0]], axis=1)
+        return np.concatenate([Unobservable(state, sensor).N, anchors_columns(state)[0]], axis=1)
 
     before, rows = N(), np.concatenate([sensor.columns, anchors_columns(state)[1]])
     L = linalg.left_inverse(before[rows])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import sympy
 
+from slamlib.analytic import arctan2, norm_plus, sin, stumpff
 from slamlib.codegen import check_model
 from slamlib.codegen.emit import factored, unified
 from slamlib.codegen.printer import Printer
@@ -15,6 +16,7 @@ from slamlib.geometry.pose import ORIGIN, Pose, compose, from_frame
 from slamlib.landmarks.ahm_point import to_frame
 from slamlib.landmarks.idp_point import angles_moved
 from slamlib.models import model
+from slamlib.models.in_memory import is_affine
 from slamlib.observation.points import product
 from slamlib.sensors.pinhole import PINHOLE, pixel, project
 from slamlib.sensors.sensor import Calibration
@@ -152,6 +154,34 @@ def test_a_jacobian_where_the_first_argument_is_known_is_the_same_to_the_bit(kno
         known.jac_where(first, np.zeros(second.size + 1))
     with pytest.raises(ShapeError, match=f"{known.name}: argument '{known.arguments[0].name}'"):
         known.jac_where(first[:6], second.manifold.random(rng))
+
+
+@pytest.mark.parametrize("known", [compose, from_frame, plucker.from_frame, angles_moved], ids=lambda m: m.module)
+def test_the_entries_where_the_first_argument_is_known_are_those_of_that_jacobian(known):
+    second = known.arguments[1]
+    there = second.manifold.random(np.random.default_rng(4))
+    entries = known.entries_where(ORIGIN)(there.tolist())
+    assert np.array_equal(np.array(entries, dtype=float), known.jac_where(ORIGIN, there).ravel())
+
+
+@pytest.mark.parametrize(
+    ("entries", "affine"),
+    [
+        (lambda n: (1, n[0], -n[1], 2 * n[0] - n[1] / 3 + 1, 1 - (n[0] - 2)), True),
+        (lambda n: (n[0] * n[1],), False),
+        (lambda n: (n[0] * n[0],), False),
+        (lambda n: (1 / n[0],), False),
+        (lambda n: (n[0] / n[1],), False),
+        (lambda n: (n[0] ** 2,), False),
+        (lambda n: (sin(n[1]),), False),
+        (lambda n: (arctan2(n[0], n[1]),), False),
+        (lambda n: (norm_plus(n[0], n[1]),), False),
+        (lambda n: (stumpff(2, n[0]),), False),
+        (lambda n: (abs(n[0]),), False),
+    ],
+)
+def test_a_function_is_affine_where_it_takes_sums_and_multiples_alone(entries, affine):
+    assert is_affine(entries, 2) is affine
 
 
 @model(scale=2, vector=3)

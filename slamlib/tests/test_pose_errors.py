@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from slamlib.checks.jacobian import check_jacobian
-from slamlib.entities.unobservable import generator
+from slamlib.entities.generator import generator
 from slamlib.errors import SlamlibError
 from slamlib.evaluation.comparison import evaluate
 from slamlib.evaluation.consistency import nees_in_range
@@ -19,7 +19,7 @@ from slamlib.geometry import pose2
 from slamlib.geometry.pose import Pose, compose, exponential, inverse, logarithm
 from slamlib.kalman.linalg import left_inverse
 from slamlib.motions import MOTIONS, ODOMETRY
-from slamlib.slam.transport import trade
+from slamlib.slam.unobservable import trade
 
 
 @pytest.fixture

@@ -19,7 +19,7 @@ from slamlib.kalman.linalg import left_inverse
 from slamlib.manifolds import Array, Image
 from slamlib.slam.filter import Slam
 from slamlib.slam.prediction import predict_measurements
-from slamlib.slam.transport import generators
+from slamlib.slam.unobservable import generators
 from slamlib.vision.appearance import Appearance
 from slamlib.vision.target import focal_length, normalized, refined
 
