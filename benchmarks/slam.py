@@ -170,7 +170,7 @@ def _steps(slam: Slam, frames: list[Frame]) -> list[float]:
 
 
 def errors(repeats: int) -> str:
-    """Table 3: the measurement update of 600 states by 20 points, by the error whose covariance is kept."""
+    """Table 3: the measurement update of 600 states by 20 points, and whole frames, by the error that is kept."""
     lines = []
     for reproject in (True, False):
         least: dict[str, float] = {}
@@ -182,7 +182,21 @@ def errors(repeats: int) -> str:
         times = [f"{error} {spent / least['local']:.2f}" for error, spent in least.items() if error != "local"]
         how = "in sequence" if reproject else "batch"
         lines.append(f"update of 600 states by 20 points, {how}: times that of local: {', '.join(times)}")
+    ratios = [
+        f"{name} {world_in_batch(name, repeats):.2f}" for name in ("points", "omni", "stereo", "points_and_lines")
+    ]
+    lines.append(f"a whole frame, batch, error='world': times that of local: {', '.join(ratios)}")
     return "\n".join(lines)
+
+
+def world_in_batch(name: str, repeats: int) -> float:
+    """The time of all frames of a preset, updated in batch, with error="world": how many times that with "local"."""
+    chosen = preset(name)
+    frames, spent = [frame for frame, _ in chosen.simulate()], []
+    for error in ("world", "local"):
+        own = replace(chosen, options=replace(chosen.options, reproject=False, error=error))
+        spent.append(float(frame_times(own, frames, repeats).sum()))
+    return spent[0] / spent[1]
 
 
 def _updates(slam: Slam, frames: list[Frame]) -> list[float]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from slamlib.errors import SlamlibError
 from slamlib.geometry.pose import ORIGIN
-from slamlib.manifolds import Array, read_only
+from slamlib.manifolds import Array, all_finite, read_only
 from slamlib.models.in_memory import Generated, is_affine
 from slamlib.registry import Moved
 
@@ -84,4 +84,13 @@ def _rule(moved: Moved, size: int) -> _Rule:
 
 @lru_cache(maxsize=32)  # by the numbers themselves: most updates begin with the landmarks that the last one left
 def _generator(moved: Moved, states: bytes, shape: tuple[int, ...]) -> Array:
-    return read_only(moved.jac_where(ORIGIN, np.frombuffer(states).reshape(shape)))
+    given = np.frombuffer(states).reshape(shape)
+    with np.errstate(all="ignore"):
+        entries = _rule(moved, shape[-1]).entries([*np.moveaxis(given, -1, 0).copy()])
+    N = np.zeros((len(entries), *shape[:-1]))
+    for place, entry in enumerate(entries):
+        if type(entry) is not int or entry != 0:
+            N[place] = entry
+    if not all_finite(N):
+        return moved.jac_where(ORIGIN, given)  # which says of what state
+    return read_only(np.moveaxis(N, 0, -1).reshape(*shape[:-1], -1, 6))
