@@ -102,6 +102,14 @@ def test_the_motion_of_the_world_is_the_derivative_of_the_model_of_one_state_and
     assert change_of_generator(kind, *twice).shape == (2, 25, kind.manifold.dof, 6)
 
 
+def test_where_the_motion_of_the_world_has_no_derivative_the_model_says_so():
+    kind = MOVED["idpPnt"]
+    states = np.array([kind.manifold.random(np.random.default_rng(1)) for _ in range(20)])
+    states[7, 3] = np.inf
+    with pytest.raises(SlamlibError, match="angles_moved"):
+        generator(kind, states)
+
+
 def test_of_points_and_directions_it_is_affine():
     """The slow way gives the same numbers: only this test notices where a type has fallen back to it."""
     slow = {name for name, kind in MOVED.items() if not is_affine(kind.moved.entries_where(ORIGIN), kind.manifold.size)}
