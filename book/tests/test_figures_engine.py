@@ -386,6 +386,22 @@ def test_given_ticks_and_names_are_kept():
         ax.set(xticklabels=["a"])
 
 
+@pytest.mark.parametrize(
+    ("ticks", "names"),
+    [({}, {"0.0", "0.5", "1.0", "1.5", "2.0"}), ({"yticks": [0, 1, 2]}, {"0", "1", "2"}), ({"yticks": []}, set())],
+)
+def test_ticks_without_names_keep_their_marks(ticks, names):
+    """As of an axis whose neighbour says what its own ticks are: `ax.set(yticklabels=[])`."""
+    (named, with_names), (silent, without) = figure(), figure()
+    for ax in (with_names, without):
+        ax.set(xlim=(0, 3), ylim=(0, 2), xticks=[], **ticks)
+    without.set(yticklabels=[])
+    assert {t.text for t in texts_of(named)} - {""} == names
+    assert {t.text for t in texts_of(silent)} - {""} == set()
+    marks = [len(re.findall("<line|<path", fig.svg("Marks."))) for fig in (named, silent)]
+    assert marks[0] == marks[1]
+
+
 def test_mathematics_in_words():
     assert [(r.text, r.level, r.italic) for r in runs(r"rate $\sigma_x^2 = 10^{-3}$ m")] == [
         ("rate ", 0, False),

@@ -1,6 +1,6 @@
 """One axis: its scale, its limits as far as they are set, and its ticks."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
@@ -59,9 +59,9 @@ class Axis:
             self.set_names(names)
 
     def set_names(self, names: Any) -> None:
-        """What the ticks say; raises ShapeError."""
+        """What the ticks say, an empty list: nothing, wherever they are; raises ShapeError."""
         self.names = [str(name) for name in names]
-        if self.places is None or len(self.places) != len(self.names):
+        if self.names and (self.places is None or len(self.places) != len(self.names)):
             raise ShapeError(f"{self.name}ticklabels: give {self.name}ticks first, as many as labels")
 
     @property
@@ -86,10 +86,12 @@ class Axis:
         """Ticks for limits along so many points, across the sheet or up."""
         low, high = min(limits), max(limits)
         if self.places is None:
-            return automatic(self.scale, low, high, length, across)
+            found = automatic(self.scale, low, high, length, across)
+            return found if self.names is None else replace(found, labels=[""] * len(found.places))
         places = self.places[(self.places >= low) & (self.places <= high)]
-        if self.names is None:
-            return Ticks(places, self.scale.labels(places), np.empty(0))
+        if not self.names:
+            labels = self.scale.labels(places) if self.names is None else [""] * len(places)
+            return Ticks(places, labels, np.empty(0))
         names = [name for place, name in zip(self.places, self.names, strict=True) if place in places]
         return Ticks(places, names, np.empty(0))
 
