@@ -32,7 +32,7 @@ def trade(size: int, sensor: RigSensor, extrinsics: Block) -> Array:
     robot, free = sensor.robot, sensor.robot.motion.free
     N, by_pose = np.zeros((size, free.shape[1])), robot.motion.at(robot.pose, np.zeros(6))[1]
     N[robot.columns] = by_pose[: len(robot.columns), :6] @ compose.jac(robot.pose, ORIGIN)[1].inner @ free
-    N[extrinsics.slice] = -compose.jac(ORIGIN, extrinsics.mean)[1].outer @ free
+    N[extrinsics.slice] = -compose.jac_where(ORIGIN, extrinsics.mean) @ free
     return N
 
 
