@@ -386,6 +386,16 @@ def test_given_ticks_and_names_are_kept():
         ax.set(xticklabels=["a"])
 
 
+@pytest.mark.parametrize("named", [lambda set_ticks: set_ticks([1, 2], labels=["p", "q"]),
+                                   lambda set_ticks: set_ticks([1, 2], ["p", "q"])])  # fmt: skip
+def test_ticks_and_their_names_are_given_in_one_call(named):
+    for name in "xy":
+        fig, ax = figure()
+        ax.set(xlim=(0, 3), ylim=(0, 3), xticks=[], yticks=[])
+        named(getattr(ax, f"set_{name}ticks"))
+        assert {t.text for t in texts_of(fig)} - {""} == {"p", "q"}
+
+
 @pytest.mark.parametrize(
     ("ticks", "names"),
     [({}, {"0.0", "0.5", "1.0", "1.5", "2.0"}), ({"yticks": [0, 1, 2]}, {"0", "1", "2"}), ({"yticks": []}, set())],

@@ -57,9 +57,16 @@ class Axes(Calls):
         raise UnknownCallError.of_object("axes", name, self._known())
 
     def _known(self) -> list[str]:
-        return [n for n in dir(type(self)) if not n.startswith("_")] + [
-            f"set_{n}" for n in self.__dict__.get("_setters", {})
-        ]
+        own = [n for n in dir(type(self)) if not n.startswith("_")]
+        return [*dict.fromkeys([*own, *(f"set_{n}" for n in self.__dict__.get("_setters", {}))])]
+
+    def set_xticks(self, ticks: Any, labels: Any = None) -> None:
+        """Ticks of x at these numbers, with these labels."""
+        self.x.set_places(ticks, labels)
+
+    def set_yticks(self, ticks: Any, labels: Any = None) -> None:
+        """Ticks of y at these numbers, with these labels."""
+        self.y.set_places(ticks, labels)
 
     def set_aspect(self, aspect: Any = None, adjustable: str | None = None) -> None:
         """ "equal" (or 1): a metre is a metre on both axes; "auto"; adjustable: the "box" gives way, or "datalim"."""
