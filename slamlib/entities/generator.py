@@ -9,10 +9,12 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from slamlib.errors import SlamlibError
+from slamlib.errors import SingularPointError, SlamlibError
 from slamlib.geometry.pose import ORIGIN
-from slamlib.manifolds import Array, all_finite, read_only
-from slamlib.models.in_memory import Generated, is_affine
+from slamlib.manifolds import Array, read_only
+from slamlib.models.argument import Argument
+from slamlib.models.in_memory import is_affine
+from slamlib.models.kernel import Kernel
 from slamlib.registry import Moved
 
 
@@ -42,7 +44,7 @@ def generator(kind: Movable, states: Array) -> Array:
     moved = check_moved(kind)
     rule = _rule(moved, states.shape[-1])
     if states.ndim == 1:
-        return np.array(rule.entries(states.tolist()), dtype=float).reshape(-1, 6)
+        return np.array(rule.kernel.function(states.tolist()), dtype=float).reshape(-1, 6)
     if rule.affine is None:
         return _generator(moved, states.tobytes(), states.shape)
     constant, slope = rule.affine
@@ -63,10 +65,10 @@ def changing_columns(kind: Movable, size: int) -> frozenset[int]:
 
 
 class _Rule(NamedTuple):
-    """How a model gives N: the function of its entries, the columns that depend on the state, and of an affine N the
-    constant (dof * 6,) and the slope (size, dof * 6)."""
+    """How a model gives N: its entries, the columns that depend on the state, and of an affine N the constant
+    (dof * 6,) and the slope (size, dof * 6)."""
 
-    entries: Generated
+    kernel: Kernel
     columns: frozenset[int]
     affine: tuple[Array, Array] | None
 
@@ -76,21 +78,18 @@ def _rule(moved: Moved, size: int) -> _Rule:
     entries = moved.entries_where(ORIGIN)
     of_unknown = entries([np.nan] * size)  # what depends on the state is as unknown
     columns = frozenset(place % 6 for place, entry in enumerate(of_unknown) if np.isnan(entry))
+    kernel = Kernel(entries, "moved", [Argument("state", size)], [(len(of_unknown) // 6, 6)])
     if not is_affine(entries, size):
-        return _Rule(entries, columns, None)
+        return _Rule(kernel, columns, None)
     constant, *units = (np.array(entries(state), dtype=float) for state in np.eye(size + 1, size, k=-1).tolist())
-    return _Rule(entries, columns, (constant, np.array(units) - constant))
+    return _Rule(kernel, columns, (constant, np.array(units) - constant))
 
 
 @lru_cache(maxsize=32)  # by the numbers themselves: most updates begin with the landmarks that the last one left
 def _generator(moved: Moved, states: bytes, shape: tuple[int, ...]) -> Array:
     given = np.frombuffer(states).reshape(shape)
-    with np.errstate(all="ignore"):
-        entries = _rule(moved, shape[-1]).entries([*np.moveaxis(given, -1, 0).copy()])
-    N = np.zeros((len(entries), *shape[:-1]))
-    for place, entry in enumerate(entries):
-        if type(entry) is not int or entry != 0:
-            N[place] = entry
-    if not all_finite(N):
-        return moved.jac_where(ORIGIN, given)  # which says of what state
-    return read_only(np.moveaxis(N, 0, -1).reshape(*shape[:-1], -1, 6))
+    try:
+        (N,) = _rule(moved, shape[-1]).kernel([given])
+    except SingularPointError:
+        return moved.jac_where(ORIGIN, given)  # which says of what part
+    return read_only(N)

@@ -85,7 +85,8 @@ def told(state: State, robot: Robot, anchored: Anchored = no_anchors) -> Iterato
     of each moved block by what it was. Eq. (ob-rest).
     """
     before, rows, free = Unobservable(state), robot.columns, directions(state)
-    N, L, turned = before.N, left_inverse(before.of_robots(rows)), list[Following]()
+    N, turned = before.N, list[Following]()
+    L = left_inverse(N[rows])
     movable: list[tuple[Movable, Indices, list[Block]]] = [  # extrinsics are in no world
         *((own.motion, np.arange(N.shape[0])[None, own.block.slice], [own.block]) for own in state.robots),
         *((group.kind, group.rows, [landmark.block for landmark in group.landmarks]) for group in state.kinds()),
